@@ -1,0 +1,70 @@
+#include "components/coordinator/expectation.h"
+
+#include <algorithm>
+
+namespace goalnet::coordinator {
+namespace {
+
+bool is_free_of_choice(const Predicate& fact) { return fact.relation == "Held"; }
+
+void append(std::string& text, const char* introduction, const std::vector<Predicate>& facts) {
+  constexpr std::size_t kShown = 4;
+  if (facts.empty()) return;
+  if (!text.empty()) text += ", ";
+  text += introduction;
+  for (std::size_t i = 0; i < std::min(facts.size(), kShown); ++i) {
+    text += (i == 0 ? " " : ", ") + goalnet::to_string(facts[i]);
+  }
+  if (facts.size() > kShown) text += " and " + std::to_string(facts.size() - kShown) + " more";
+}
+
+}  // namespace
+
+bool is_robot_near(const Predicate& fact) {
+  return fact.relation == "Near" && (fact.subject == "Robot" || fact.object == "Robot");
+}
+
+Expectation expected_change(const FactSet& before, const FactSet& predicted) {
+  std::vector<Predicate> added, removed;
+  for (const Predicate& fact : difference(predicted, before)) {
+    if (!is_free_of_choice(fact)) added.push_back(fact);
+  }
+  for (const Predicate& fact : difference(before, predicted)) {
+    if (!is_free_of_choice(fact) && !is_robot_near(fact)) removed.push_back(fact);
+  }
+  return {FactSet(std::move(added)), FactSet(std::move(removed))};
+}
+
+Shortfall shortfall(const Expectation& expectation, const FactSet& facts) {
+  Shortfall result;
+  for (const Predicate& fact : expectation.added) {
+    if (!facts.contains(fact)) result.missing.push_back(fact);
+  }
+  for (const Predicate& fact : expectation.removed) {
+    if (facts.contains(fact)) result.remaining.push_back(fact);
+  }
+  return result;
+}
+
+std::string to_string(const Shortfall& shortfall) {
+  std::string text;
+  append(text, "lacks", shortfall.missing);
+  append(text, "still has", shortfall.remaining);
+  return text;
+}
+
+Shortfall goal_shortfall(const Goal& goal, const FactSet& facts, const FactSet& visited) {
+  const bool visits_only = std::all_of(goal.positive.begin(), goal.positive.end(), is_robot_near);
+  Shortfall result;
+  for (const Predicate& fact : goal.positive) {
+    if (facts.contains(fact)) continue;
+    if (is_robot_near(fact) && (!visits_only || visited.contains(fact))) continue;
+    result.missing.push_back(fact);
+  }
+  for (const Predicate& fact : goal.negative) {
+    if (facts.contains(fact)) result.remaining.push_back(fact);
+  }
+  return result;
+}
+
+}  // namespace goalnet::coordinator
