@@ -1,0 +1,100 @@
+#include "components/robot/joint_order.h"
+
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include <urdf_parser/urdf_parser.h>
+
+namespace goalnet::robot {
+namespace {
+
+bool finite(const urdf::Pose& pose) {
+  const auto& p = pose.position;
+  const auto& r = pose.rotation;
+  const double norm = r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w;
+  return std::isfinite(p.x + p.y + p.z) && std::isfinite(norm) && std::abs(norm - 1.0) < 1e-6;
+}
+
+std::string check_joint(const urdf::Joint& joint) {
+  if (!finite(joint.parent_to_joint_origin_transform)) return "has an origin that is not a finite pose";
+  if (joint.type == urdf::Joint::FIXED) return "";
+  if (joint.type != urdf::Joint::REVOLUTE && joint.type != urdf::Joint::CONTINUOUS &&
+      joint.type != urdf::Joint::PRISMATIC) {
+    return "is neither fixed, revolute, continuous nor prismatic";
+  }
+  const auto& a = joint.axis;
+  const double norm = std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
+  if (!std::isfinite(norm) || std::abs(norm - 1.0) > 1e-6) return "has an axis that is not of unit length";
+  if (!joint.limits) return "has no <limit>";
+  const auto& l = *joint.limits;
+  if (!std::isfinite(l.lower) || !std::isfinite(l.upper) || !std::isfinite(l.velocity) ||
+      !std::isfinite(l.effort)) {
+    return "has limits that are not finite";
+  }
+  if (joint.type != urdf::Joint::CONTINUOUS && l.lower > l.upper)
+    return "has a lower limit above its upper one";
+  if (l.velocity <= 0 || l.effort <= 0) return "needs a velocity and an effort limit above zero";
+  if (joint.mimic) return "mimics another; give it its own entry in the gripper's fingers instead";
+  return "";
+}
+
+std::string check_inertia(const urdf::Link& link) {
+  if (!link.inertial) return "";
+  const auto& i = *link.inertial;
+  if (!std::isfinite(i.mass) || i.mass < 0) return "has a mass that is negative or not finite";
+  if (!finite(i.origin)) return "has an inertial origin that is not a finite pose";
+  for (double v : {i.ixx, i.iyy, i.izz, i.ixy, i.ixz, i.iyz}) {
+    if (!std::isfinite(v)) return "has an inertia that is not finite";
+  }
+  if (i.ixx < 0 || i.iyy < 0 || i.izz < 0) return "has a negative moment of inertia";
+  return "";
+}
+
+}  // namespace
+
+bool is_actuated(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
+
+std::vector<urdf::JointConstSharedPtr> joints_depth_first(const urdf::ModelInterface& model) {
+  std::vector<urdf::JointConstSharedPtr> order;
+  std::function<void(const urdf::LinkConstSharedPtr&)> visit = [&](const urdf::LinkConstSharedPtr& link) {
+    for (const auto& joint : link->child_joints) {
+      order.push_back(joint);
+      visit(model.getLink(joint->child_link_name));
+    }
+  };
+  visit(model.getRoot());
+  return order;
+}
+
+Expected<urdf::ModelInterfaceSharedPtr> parse_urdf(const std::string& xml, const std::string& file_name) {
+  const auto bad = [&](const std::string& what) {
+    return fail(Outcome::kInvalidRequest, file_name + ": " + what);
+  };
+  if (xml.size() > (4u << 20))
+    return bad("larger than 4 MB; a robot description is text with primitive shapes");
+  urdf::ModelInterfaceSharedPtr model;
+  try {
+    model = urdf::parseURDF(xml);
+  } catch (const std::exception& e) {
+    return bad(std::string("urdfdom cannot read it: ") + e.what());
+  }
+  if (!model || !model->getRoot()) {
+    return bad(
+        "not a valid URDF: XML malformed, or a link or joint is missing or repeated (urdfdom says more "
+        "above)");
+  }
+  if (model->links_.size() > kMaxLinks) return bad("more than " + std::to_string(kMaxLinks) + " links");
+  const auto joints = joints_depth_first(*model);
+  if (joints.size() + 1 != model->links_.size()) return bad("its links do not form one tree");
+  for (const auto& joint : joints) {
+    if (const auto what = check_joint(*joint); !what.empty())
+      return bad("joint '" + joint->name + "' " + what);
+  }
+  for (const auto& [name, link] : model->links_) {
+    if (const auto what = check_inertia(*link); !what.empty()) return bad("link '" + name + "' " + what);
+  }
+  return model;
+}
+
+}  // namespace goalnet::robot

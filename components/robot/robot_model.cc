@@ -1,0 +1,63 @@
+#include "components/robot/robot_model.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace goalnet::robot {
+namespace {
+
+// A bare name is looked up in config/robots of the working directory and of its parents, so that tests and
+// installed trees find it from where they run.
+std::filesystem::path resolve(const std::string& name_or_path) {
+  namespace fs = std::filesystem;
+  if (name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".yaml")) return name_or_path;
+  const fs::path relative = fs::path("config") / "robots" / (name_or_path + ".yaml");
+  std::error_code ec;
+  for (fs::path dir = fs::current_path(ec); !dir.empty(); dir = dir.parent_path()) {
+    if (fs::exists(dir / relative, ec)) return dir / relative;
+    if (dir == dir.root_path()) break;
+  }
+#ifdef GOALNET_SOURCE_ROOT
+  if (fs::exists(fs::path(GOALNET_SOURCE_ROOT) / relative, ec))
+    return fs::path(GOALNET_SOURCE_ROOT) / relative;
+#endif
+  return relative;
+}
+
+}  // namespace
+
+int RobotModel::index_of(const std::string& joint) const {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i].name == joint) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+const Arm* RobotModel::arm(const std::string& arm_name) const {
+  for (const auto& a : arms) {
+    if (a.name == arm_name) return &a;
+  }
+  return nullptr;
+}
+
+std::vector<double> RobotModel::home() const {
+  std::vector<double> q;
+  q.reserve(joints.size());
+  for (const auto& joint : joints) q.push_back(joint.home);
+  return q;
+}
+
+Expected<RobotModel> load_robot(const std::string& name_or_path) {
+  const auto path = resolve(name_or_path);
+  std::ifstream in(path);
+  if (!in) {
+    return fail(Outcome::kInvalidRequest, "robot '" + name_or_path + "': cannot read " + path.string() +
+                                              "; give a name from config/robots or the path of a YAML file");
+  }
+  std::stringstream text;
+  text << in.rdbuf();
+  return parse_robot(text.str(), path.string(), path.parent_path().string());
+}
+
+}  // namespace goalnet::robot
