@@ -30,6 +30,7 @@ struct Grasp {
   GraspKind kind = GraspKind::kAround;
   Pose frame = Pose::Identity();  // in the frame of the object or part
   double width = 0.0;             // [m] what the fingers close upon: diameter, bar or wall thickness
+  double open_width = 0.0;        // [m] the widest opening that is free of obstacles on the way in
   double low = 0.0;               // [m]
   double high = 0.0;              // [m]
   double angle_min = 0.0;         // [rad]
