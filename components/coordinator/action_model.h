@@ -6,13 +6,14 @@
 
 namespace goalnet::coordinator {
 
-// Called from the coordinator's thread only. The planner's domain implements it (planner_action_model.h); tests
-// bring smaller worlds.
+// Called from the coordinator's thread only. The planner's domain implements it (planner_action_model.h);
+// tests bring smaller worlds.
 class ActionModel {
  public:
   virtual ~ActionModel() = default;
 
-  // Nothing if `action` can be carried out in `world`; otherwise an error that names the violated precondition.
+  // Nothing if `action` can be carried out in `world`; otherwise an error that names the violated
+  // precondition.
   virtual Expected<void> applicable(const WorldState& world, const Action& action) const = 0;
 
   // The facts after `action` in `world`.

@@ -1,4 +1,5 @@
-// The events that come from outside, and what did not come in time. The loop itself is in coordinator_loop.cc.
+// The events that come from outside, and what did not come in time. The loop itself is in
+// coordinator_loop.cc.
 #include "components/coordinator/coordinator.h"
 
 #include <algorithm>
@@ -30,12 +31,18 @@ bool is_final(Outcome outcome) {
 
 const char* to_string(Stage stage) {
   switch (stage) {
-    case Stage::kWaiting: return "waiting";
-    case Stage::kInferring: return "inferring";
-    case Stage::kPlanning: return "planning";
-    case Stage::kActing: return "acting";
-    case Stage::kStopping: return "stopping";
-    case Stage::kFinished: return "finished";
+    case Stage::kWaiting:
+      return "waiting";
+    case Stage::kInferring:
+      return "inferring";
+    case Stage::kPlanning:
+      return "planning";
+    case Stage::kActing:
+      return "acting";
+    case Stage::kStopping:
+      return "stopping";
+    case Stage::kFinished:
+      return "finished";
   }
   return "finished";
 }
@@ -43,7 +50,8 @@ const char* to_string(Stage stage) {
 Coordinator::Coordinator(const CoordinatorParams& params, const ActionModel& model, Port& port)
     : params_(params), model_(model), port_(port) {}
 
-Expected<std::uint64_t> Coordinator::instruct(const std::string& instruction, std::uint32_t max_steps, TimeNs now) {
+Expected<std::uint64_t> Coordinator::instruct(const std::string& instruction, std::uint32_t max_steps,
+                                              TimeNs now) {
   if (const auto checked = coordinator::check_instruction(instruction); !checked) {
     refuse("", checked.error());  // what cannot be shown is not repeated
     return tl::unexpected<Error>(checked.error());
@@ -127,10 +135,12 @@ void Coordinator::on_world(WorldState world, TimeNs stamp, TimeNs now) {
 }
 
 void Coordinator::on_goal(const GoalAnswer& answer, TimeNs now) {
-  if (!task_ || report_.stage != Stage::kInferring || answer.id != task_->id || answer.step != report_.step) return;
+  if (!task_ || report_.stage != Stage::kInferring || answer.id != task_->id || answer.step != report_.step)
+    return;
   if (answer.outcome != Outcome::kDone) return stop(answer.outcome, answer.message, now);
   if (answer.complete || answer.goal.empty()) {
-    return finish(Outcome::kDone, report_.step == 0 ? "nothing needs to be done" : "nothing is left to do", now);
+    return finish(Outcome::kDone, report_.step == 0 ? "nothing needs to be done" : "nothing is left to do",
+                  now);
   }
   take_goal(answer.goal, now);
 }
@@ -162,8 +172,11 @@ void Coordinator::on_action(const ActionReport& report, TimeNs now) {
     }
     return;
   }
-  if (report.outcome == Outcome::kDone) report_.actions.push_back(task.order.action);
   task.world_needed = now;
+  if (report.outcome == Outcome::kDone) {
+    report_.actions.push_back(task.order.action);
+    publish();
+  }
   if (!running) return finish(task.stop_outcome, task.stop_message, now);
   task.act = Act::kCheckEffects;  // the robot stands still now, whatever the outcome
   if (report.outcome == Outcome::kDone) return advance(now);
@@ -210,14 +223,16 @@ void Coordinator::check_timeouts(TimeNs now) {
                     "manipulation went silent during \"" + goalnet::to_string(task.order.action) + "\"", now);
       }
       if (now - task.order_started > nanoseconds(params_.action_timeout)) {
-        return stop(Outcome::kTimeLimit, "\"" + goalnet::to_string(task.order.action) + "\" took too long", now);
+        return stop(Outcome::kTimeLimit, "\"" + goalnet::to_string(task.order.action) + "\" took too long",
+                    now);
       }
       break;
     case Stage::kFinished:
       return;
   }
   if (now - world_stamp_ > nanoseconds(params_.world_timeout)) {
-    return stop(Outcome::kWorldStale, "the world state is no longer updated; is the world model running?", now);
+    return stop(Outcome::kWorldStale, "the world state is no longer updated; is the world model running?",
+                now);
   }
   if (now - task.started > nanoseconds(params_.instruction_timeout)) {
     stop(Outcome::kTimeLimit, "the instruction took too long", now);

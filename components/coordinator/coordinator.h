@@ -1,8 +1,8 @@
 // The loop from instruction to changed world: infer a goal, plan, act, observe, until nothing is left to do.
 //
-// A pure state machine: events come in with the time at which they happened, orders go out through a Port, and
-// nothing waits, sleeps or reads a clock. Whoever drives it calls tick() a few times a second at least, because that
-// is where timeouts are noticed.
+// A pure state machine: events come in with the time at which they happened, orders go out through a Port,
+// and nothing waits, sleeps or reads a clock. Whoever drives it calls tick() a few times a second at least,
+// because that is where timeouts are noticed.
 //
 //   waiting ── world known ──► inferring ── goal ──► planning ── plan ──► acting ──┐ goal reached: next step
 //      ▲ a goal given by a person skips inferring ──────►▲                  │      └──► inferring
@@ -10,9 +10,11 @@
 //   every stage ── refusal, limit, fault, cancel ──► stopping (while the robot moves) ──► finished
 //
 // What a caller may rely on:
-// - Every instruction ends in exactly one report with finished = true and a typed outcome; kDone only if the world was
+// - Every instruction ends in exactly one report with finished = true and a typed outcome; kDone only if the
+// world was
 //   seen to hold the goal of every step.
-// - Before each action its preconditions are checked in a world state observed after the previous action; after it,
+// - Before each action its preconditions are checked in a world state observed after the previous action;
+// after it,
 //   its effects. A difference leads to a new plan, at most max_replans times a step.
 // - A step that asks for the same goal in the same world as an earlier one ends the loop.
 //
@@ -65,8 +67,8 @@ class Coordinator {
   // `model` and `port` must outlive the coordinator.
   Coordinator(const CoordinatorParams& params, const ActionModel& model, Port& port);
 
-  // Starts (or queues) an instruction; max_steps 0 means the parameter's. Returns its id. Refusals (kInvalidRequest,
-  // kBusy) are returned and also reported under an id of their own.
+  // Starts (or queues) an instruction; max_steps 0 means the parameter's. Returns its id. Refusals
+  // (kInvalidRequest, kBusy) are returned and also reported under an id of their own.
   Expected<std::uint64_t> instruct(const std::string& instruction, std::uint32_t max_steps, TimeNs now);
 
   // The same with the goal given by a person: no inference, one step.
@@ -111,7 +113,7 @@ class Coordinator {
     FactSet visited;  // Near facts seen during the step
     std::optional<PlanAnswer> early_plan;
     Act act = Act::kPrepare;
-    std::size_t next = 0;      // place in the plan
+    std::size_t next = 0;  // place in the plan
     std::size_t plan_size = 0;
     ActionOrder order;         // the one under way, or the last
     std::uint32_t orders = 0;  // given in this step
@@ -119,7 +121,7 @@ class Coordinator {
     bool order_heard = false;
     Expectation expectation;
     std::uint32_t replans = 0;
-    std::map<Action, std::uint32_t> failures;  // in this step
+    std::map<Action, std::uint32_t> failures;                      // in this step
     std::vector<std::pair<FactSet, std::vector<Predicate>>> seen;  // (world, goal) at the start of each step
     Outcome stop_outcome = Outcome::kDone;
     std::string stop_message;

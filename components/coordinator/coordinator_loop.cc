@@ -10,7 +10,8 @@ TimeNs nanoseconds(double seconds) { return static_cast<TimeNs>(seconds * 1e9); 
 
 std::string quoted(const Action& action) { return "\"" + goalnet::to_string(action) + "\""; }
 
-// What makes two moments the same for the question "are we going in circles". Where the robot stands does not count.
+// What makes two moments the same for the question "are we going in circles". Where the robot stands does not
+// count.
 FactSet lasting_facts(const FactSet& facts) {
   std::vector<Predicate> lasting;
   for (const Predicate& fact : facts) {
@@ -66,11 +67,16 @@ void Coordinator::advance(TimeNs now) {
   }
   if (report_.stage != Stage::kActing || !world_is_new_enough()) return;
   switch (task.act) {
-    case Act::kRunning: return;
-    case Act::kPrepare: return prepare_action(now);
-    case Act::kCheckEffects: return check_effects(now);
-    case Act::kCheckGoal: return check_goal(now);
-    case Act::kReplan: return ask_for_plan(now);
+    case Act::kRunning:
+      return;
+    case Act::kPrepare:
+      return prepare_action(now);
+    case Act::kCheckEffects:
+      return check_effects(now);
+    case Act::kCheckGoal:
+      return check_goal(now);
+    case Act::kReplan:
+      return ask_for_plan(now);
   }
 }
 
@@ -106,7 +112,8 @@ void Coordinator::take_goal(const Goal& goal, TimeNs now) {
       return finish(Outcome::kDone, "nothing is left to do", now);
     }
     return stop(Outcome::kStepLimit,
-                "no progress: step " + std::to_string(report_.step) + " asks for the same in the same world as step " +
+                "no progress: step " + std::to_string(report_.step) +
+                    " asks for the same in the same world as step " +
                     std::to_string(same - task.seen.begin()),
                 now);
   }
@@ -201,8 +208,9 @@ void Coordinator::replan(const std::string& why, TimeNs now) {
   Task& task = *task_;
   last_difference_ = why;
   if (++task.replans > params_.max_replans) {
-    return stop(Outcome::kMotionFailed,
-                "gave up after " + std::to_string(params_.max_replans) + " new plans; the last because " + why, now);
+    return stop(
+        Outcome::kMotionFailed,
+        "gave up after " + std::to_string(params_.max_replans) + " new plans; the last because " + why, now);
   }
   task.act = Act::kReplan;
   task.waiting_since = now;

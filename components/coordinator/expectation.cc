@@ -62,7 +62,7 @@ Shortfall goal_shortfall(const Goal& goal, const FactSet& facts, const FactSet& 
     result.missing.push_back(fact);
   }
   for (const Predicate& fact : goal.negative) {
-    if (facts.contains(fact)) result.remaining.push_back(fact);
+    if (facts.contains(fact) && !is_robot_near(fact)) result.remaining.push_back(fact);
   }
   return result;
 }

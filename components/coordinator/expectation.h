@@ -1,6 +1,7 @@
-// What the world must show after an action and after a step. The symbolic rules are stricter than the world in two
-// places: moving somewhere forgets all other Near facts although the robot may still be near, and which hand or tray
-// slot holds an object is manipulation's choice. Neither is a reason to call an action failed.
+// What the world must show after an action and after a step. The symbolic rules are stricter than the world
+// in two places: moving somewhere forgets all other Near facts although the robot may still be near, and
+// which hand or tray slot holds an object is manipulation's choice. Neither is a reason to call an action
+// failed.
 #pragma once
 
 #include <string>
@@ -22,8 +23,8 @@ struct Expectation {
 // From the facts before the action to those the rules predict.
 Expectation expected_change(const FactSet& before, const FactSet& predicted);
 
-// What `facts` still lacks: an empty result means the action did what it should. Negative entries are facts that
-// should have gone.
+// What `facts` still lacks: an empty result means the action did what it should. Negative entries are facts
+// that should have gone.
 struct Shortfall {
   std::vector<Predicate> missing;
   std::vector<Predicate> remaining;
@@ -35,9 +36,9 @@ Shortfall shortfall(const Expectation& expectation, const FactSet& facts);
 // "lacks (On Mug_1 Sink), still has (Grasping Robot Mug_1)"; at most a handful are named.
 std::string to_string(const Shortfall& shortfall);
 
-// What of `goal` the world still owes. Positive (Near Robot x) is a means where anything else is asked for, as in the
-// planner; where nothing else is asked for they are visits, and having been there since the step began (`visited`)
-// counts.
+// What of `goal` the world still owes. Positive (Near Robot x) is a means where anything else is asked for,
+// as in the planner; where nothing else is asked for they are visits, and having been there since the step
+// began (`visited`) counts. Negative (Near Robot x) is never owed.
 Shortfall goal_shortfall(const Goal& goal, const FactSet& facts, const FactSet& visited);
 
 }  // namespace goalnet::coordinator

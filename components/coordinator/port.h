@@ -51,8 +51,10 @@ class Port {
   // Asks goalnet for the goal of `step`; the world state used must not be older than `world_stamp`.
   virtual void request_goal(std::uint64_t id, std::uint32_t step, const std::string& instruction,
                             TimeNs world_stamp) = 0;
-  // Asks the planner for a plan. Not called after request_goal: goalnet's answer reaches the planner by itself.
-  virtual void request_plan(std::uint64_t id, std::uint32_t step, const std::string& instruction, const Goal& goal) = 0;
+  // Asks the planner for a plan. Not called after request_goal: goalnet's answer reaches the planner by
+  // itself.
+  virtual void request_plan(std::uint64_t id, std::uint32_t step, const std::string& instruction,
+                            const Goal& goal) = 0;
   virtual void execute(const ActionOrder& order) = 0;
   virtual void cancel(const ActionOrder& order) = 0;
   virtual void report(const Report& report) = 0;

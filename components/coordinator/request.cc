@@ -49,11 +49,13 @@ bool is_utf8(std::string_view text) {
 
 Expected<void> check_instruction(std::string_view text) {
   if (std::all_of(text.begin(), text.end(), is_blank)) {
-    return fail(Outcome::kInvalidRequest, "the instruction is empty; say what to do, for example \"open the microwave\"");
+    return fail(Outcome::kInvalidRequest,
+                "the instruction is empty; say what to do, for example \"open the microwave\"");
   }
   if (text.size() > kMaxInstructionBytes) {
     return fail(Outcome::kInvalidRequest, "the instruction has " + std::to_string(text.size()) +
-                                              " bytes; at most " + std::to_string(kMaxInstructionBytes) + " are taken");
+                                              " bytes; at most " + std::to_string(kMaxInstructionBytes) +
+                                              " are taken");
   }
   if (!is_utf8(text)) return fail(Outcome::kInvalidRequest, "the instruction is not valid UTF-8 text");
   if (std::any_of(text.begin(), text.end(), is_control)) {
@@ -64,7 +66,8 @@ Expected<void> check_instruction(std::string_view text) {
 
 Expected<void> check_goal(const Goal& goal) {
   if (goal.empty()) {
-    return fail(Outcome::kInvalidRequest, "the goal is empty; give at least one predicate such as (On Mug_1 Sink)");
+    return fail(Outcome::kInvalidRequest,
+                "the goal is empty; give at least one predicate such as (On Mug_1 Sink)");
   }
   const std::size_t count = goal.positive.size() + goal.negative.size();
   if (count > kMaxGoalPredicates) {
@@ -81,7 +84,8 @@ Expected<void> check_goal(const Goal& goal) {
   }
   for (const Predicate& predicate : goal.positive) {
     if (std::find(goal.negative.begin(), goal.negative.end(), predicate) != goal.negative.end()) {
-      return fail(Outcome::kInvalidRequest, "the goal asks for " + to_string(predicate) + " and excludes it at once");
+      return fail(Outcome::kInvalidRequest,
+                  "the goal asks for " + to_string(predicate) + " and excludes it at once");
     }
   }
   return {};

@@ -10,7 +10,6 @@ using testing::HasSubstr;
 
 const FactSet kStart = facts({"(On Mug_1 Counter_1)"});
 
-
 struct Outcomes : testing::Test {
   void start(CoordinatorParams params = {}) {
     play.emplace(params);
@@ -50,7 +49,8 @@ TEST_F(Outcomes, NotUnderstood) {
 TEST_F(Outcomes, UnknownObject) {
   start();
   play->infer(goal({"(On Mug_7 Sink)"}));
-  play->coordinator.on_plan({play->id(), 0, {}, Outcome::kUnknownObject, "no Mug_7; nearest: Mug_1"}, play->now);
+  play->coordinator.on_plan({play->id(), 0, {}, Outcome::kUnknownObject, "no Mug_7; nearest: Mug_1"},
+                            play->now);
   expect_end(Outcome::kUnknownObject, "nearest: Mug_1");
 }
 
@@ -77,7 +77,8 @@ TEST_F(Outcomes, BusyLeavesTheRunningInstructionAlone) {
   const std::size_t reports = play->port.reports.size();
   EXPECT_EQ(play->port.reports[reports - 2].outcome, Outcome::kBusy);
   EXPECT_EQ(play->port.reports[reports - 2].instruction, "open the fridge");
-  EXPECT_EQ(play->port.reports[reports - 1].id, 1u) << "the latched status shows the running instruction again";
+  EXPECT_EQ(play->port.reports[reports - 1].id, 1u)
+      << "the latched status shows the running instruction again";
   play->act();
   play->act();
   play->infer({});
@@ -103,7 +104,8 @@ TEST_F(Outcomes, TimeLimitOfAnAction) {
   start_acting();
   for (int i = 0; i < 200 && !play->report().finished; ++i) {
     const ActionOrder order = play->port.orders.back();
-    play->coordinator.on_action({order.id, order.step, order.index, false, 0.1, Outcome::kDone, ""}, play->now);
+    play->coordinator.on_action({order.id, order.step, order.index, false, 0.1, Outcome::kDone, ""},
+                                play->now);
     play->pass(1.0);
     if (!play->port.cancels.empty()) play->finish_action(Outcome::kCancelled);
   }

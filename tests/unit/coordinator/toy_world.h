@@ -32,8 +32,10 @@ class ToyModel : public ActionModel {
   Expected<void> applicable(const WorldState& world, const Action& action) const override {
     const std::string& x = action.arguments.at(0);
     const Predicate held{"Grasping", "Robot", x};
-    if (action.name == "grasp" && world.facts.contains(held)) return fail(Outcome::kNoPlan, "already holds " + x);
-    if (action.name == "keep-on" && !world.facts.contains(held)) return fail(Outcome::kNoPlan, "does not hold " + x);
+    if (action.name == "grasp" && world.facts.contains(held))
+      return fail(Outcome::kNoPlan, "already holds " + x);
+    if (action.name == "keep-on" && !world.facts.contains(held))
+      return fail(Outcome::kNoPlan, "does not hold " + x);
     return {};
   }
 
@@ -98,7 +100,9 @@ struct Play {
   }
   void infer(const Goal& next) { answer_goal({id(), step(), next, next.empty(), Outcome::kDone, ""}); }
   void answer_goal(const GoalAnswer& answer) { coordinator.on_goal(answer, now); }
-  void plan(const std::vector<Action>& actions) { coordinator.on_plan({id(), step(), actions, Outcome::kDone, ""}, now); }
+  void plan(const std::vector<Action>& actions) {
+    coordinator.on_plan({id(), step(), actions, Outcome::kDone, ""}, now);
+  }
   // Manipulation ends the current order; with kDone the world changes as the rules say.
   void act(Outcome outcome = Outcome::kDone, const std::string& message = "") {
     const ActionOrder order = port.orders.back();

@@ -1,0 +1,32 @@
+// The commands of `goalnet`: what they are called, what they do, and where they live.
+//
+// `goalnet plan` must start and end within 3 ms, so the program people type links nothing but what planning
+// and inference need. The commands that move a robot bring DDS, Bullet and OMPL; they live in a second
+// program, goalnet-robot, and training in a third, goalnet-train (libtorch). `goalnet` replaces itself by
+// them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace goalnet::tools {
+
+// argv[0] is "goalnet NAME". Returns the exit code: the number of an Outcome (0; 10-19; 20-29; 30-39).
+using CommandFunction = int (*)(int argc, char** argv);
+
+struct Command {
+  std::string_view name;
+  std::string_view summary;
+  CommandFunction function = nullptr;  // here, or
+  std::string_view program = {};       // in this program beside us
+};
+
+// Calls argv[1]'s command with the remaining arguments. Prints `usage` for --help (exit 0) and a message with
+// the nearest name for an unknown command (exit 13).
+int dispatch(std::span<const Command> commands, std::string_view usage, int argc, char** argv);
+
+// The folder in which this program lies.
+std::string program_folder();
+
+}  // namespace goalnet::tools

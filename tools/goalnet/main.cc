@@ -1,0 +1,45 @@
+// The program people type. See command.h for why it is this small.
+#include "tools/goalnet/command.h"
+#ifdef GOALNET_HAS_PLAN
+#include "tools/goalnet/plan_command.h"
+#endif
+#ifdef GOALNET_HAS_INFER
+#include "tools/goalnet/infer_command.h"
+#endif
+#ifdef GOALNET_HAS_EVAL
+#include "tools/goalnet/eval_command.h"
+#endif
+
+namespace goalnet::tools {
+namespace {
+
+constexpr const char* kUsage =
+    "usage: goalnet COMMAND [arguments]\n"
+    "\n"
+    "Follows instructions in plain English with a (simulated) robot, as ROS 2-compatible components over "
+    "DDS.\n"
+    "Try: goalnet run \"fill the mug with water\"\n";
+
+constexpr Command kCommands[] = {
+    {"run", "let a simulated robot carry out an instruction", nullptr, "goalnet-robot"},
+    {"component", "run one component as a process of its own, as a ROS 2 node", nullptr, "goalnet-robot"},
+#ifdef GOALNET_HAS_PLAN
+    {"plan", "solve a PDDL problem", plan_command},
+#endif
+#ifdef GOALNET_HAS_INFER
+    {"infer", "infer the goal of an instruction in a given world state", infer_command},
+#endif
+#ifdef GOALNET_HAS_EVAL
+    {"eval", "score a model on a folder of demonstrations", eval_command},
+#endif
+    {"train", "learn a model from demonstrations (needs libtorch)", nullptr, "goalnet-train"},
+    {"bench", "measure speed: inference, planning, motion, real-time factor, jitter", nullptr,
+     "goalnet-robot"},
+};
+
+}  // namespace
+}  // namespace goalnet::tools
+
+int main(int argc, char** argv) {
+  return goalnet::tools::dispatch(goalnet::tools::kCommands, goalnet::tools::kUsage, argc, argv);
+}
