@@ -1,0 +1,42 @@
+// Quality of service as ROS 2 names it. The standard profiles are those of rmw's qos_profiles.h.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace goalnet::ros {
+
+struct Qos {
+  bool reliable = true;
+  bool transient_local = false;       // late subscribers get the last `depth` messages
+  bool keep_all = false;              // otherwise keep last `depth`
+  std::uint32_t depth = 10;
+  std::chrono::nanoseconds lifespan{0};  // older messages are dropped; 0: never
+  std::chrono::nanoseconds deadline{0};  // a message is expected at least that often; 0: none
+
+  static Qos standard() { return {}; }
+  static Qos sensor_data() { return {.reliable = false, .depth = 5}; }
+  static Qos latched() { return {.transient_local = true, .depth = 1}; }
+  static Qos clock() { return {.reliable = false, .depth = 1}; }
+  static Qos tf() { return {.depth = 100}; }
+  static Qos tf_static() { return latched(); }
+  static Qos rosout() { return {.transient_local = true, .depth = 1000, .lifespan = std::chrono::seconds(10)}; }
+  static Qos services() { return {}; }
+  static Qos parameters() { return {.depth = 1000}; }
+
+  Qos keep_last(std::uint32_t n) const {
+    Qos copy = *this;
+    copy.depth = n;
+    copy.keep_all = false;
+    return copy;
+  }
+  Qos best_effort() const {
+    Qos copy = *this;
+    copy.reliable = false;
+    return copy;
+  }
+
+  bool operator==(const Qos&) const = default;
+};
+
+}  // namespace goalnet::ros
