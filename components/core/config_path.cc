@@ -1,0 +1,18 @@
+#include "components/core/config_path.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+namespace goalnet {
+
+std::string config_folder() {
+  if (const char* folder = std::getenv("GOALNET_CONFIG_DIR"); folder != nullptr && *folder != '\0') return folder;
+  std::error_code ignored;
+  if (std::filesystem::is_directory("config/scenes", ignored)) return "config";
+  return GOALNET_CONFIG_FOLDER;
+}
+
+std::string config_path(std::string_view relative) { return config_folder() + "/" + std::string(relative); }
+
+}  // namespace goalnet

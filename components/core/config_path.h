@@ -1,0 +1,16 @@
+// Where configuration files lie.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace goalnet {
+
+// The folder `config`: the environment variable GOALNET_CONFIG_DIR, else ./config if it is ours (has scenes/), else the
+// one this program was built with.
+std::string config_folder();
+
+// config_path("domains/household.pddl") is that file in the folder above.
+std::string config_path(std::string_view relative);
+
+}  // namespace goalnet
