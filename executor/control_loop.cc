@@ -15,7 +15,7 @@ ControlLoop::ControlLoop(const ExecutorParams& params, LoopExchange& exchange)
     : params_(params),
       exchange_(exchange),
       period_ns_(std::llround(1e9 * params.period)),
-      guard_(params.joints, params.period * kLongestStep),
+      guard_(params.joints),
       motion_(params.joints) {}
 
 void ControlLoop::cycle(std::int64_t time_ns, const JointSample& measured, JointSample& command) noexcept {

@@ -21,7 +21,7 @@ struct CyclicThreadParams {
   std::string name = "goalnet_rt";     // shown by top and ps (15 characters at most)
   std::int64_t period_ns = 1'000'000;  // > 0
   int priority = 80;                   // SCHED_FIFO 1..99; 0 = ordinary scheduling
-  std::optional<int> cpu;              // pin to this CPU
+  std::optional<int> cpu = {};         // pin to this CPU
   bool lock_memory = true;             // mlockall and prefaulted stack
 };
 

@@ -9,18 +9,17 @@ namespace {
 // Rounding of positions of a few metres or radians, seen as velocity over a cycle.
 constexpr double kRounding = 1e-9;
 
-// The largest velocity from which braking by `acceleration`, in steps of at most `dt`, still ends within
-// `distance`. The steps v*dt + (v - a*dt)*dt + ... add up to v^2/(2a) + v*dt/2; for shorter steps it is less.
+// The largest velocity for the coming `dt` after which braking still ends within `distance`: v*dt + v^2/(2a).
+// With v - a*dt' in the next step the same holds for the rest of the distance, whatever dt' is.
 double braking_velocity(double distance, double acceleration, double dt) {
   if (!(distance > 0.0)) return 0.0;
-  const double half = 0.5 * acceleration * dt;
-  return std::sqrt(half * half + 2.0 * acceleration * distance) - half;
+  const double change = acceleration * dt;
+  return std::sqrt(change * change + 2.0 * acceleration * distance) - change;
 }
 
 }  // namespace
 
-LimitGuard::LimitGuard(const std::vector<JointLimits>& joints, double longest_step)
-    : longest_step_(longest_step) {
+LimitGuard::LimitGuard(const std::vector<JointLimits>& joints) {
   for (const JointLimits& joint : joints)
     limits_.push_back({joint.position_min, joint.position_max, joint.velocity, joint.acceleration});
 }
@@ -38,8 +37,7 @@ double LimitGuard::clamp_step(std::size_t joint, double wanted, double dt) const
   const Limits& limits = limits_[joint];
   const double position = command_.position[joint], change = limits.acceleration * dt;
   const auto towards = [&](double distance) {
-    return std::min({limits.velocity, braking_velocity(distance, limits.acceleration, longest_step_),
-                     std::max(distance, 0.0) / dt});
+    return std::min(limits.velocity, braking_velocity(distance, limits.acceleration, dt));
   };
   double low = -towards(position - limits.min), high = towards(limits.max - position);
   // The limit of acceleration comes last: it is the one that a robot cannot disobey.
@@ -48,7 +46,9 @@ double LimitGuard::clamp_step(std::size_t joint, double wanted, double dt) const
   if (std::isnan(wanted)) wanted = 0.0;
   const double clamped = std::clamp(wanted, std::min(low, high), std::max(low, high));
   // Within rounding of the limits the target is taken as it is, so that a command equals its target exactly.
-  return std::abs(clamped - wanted) <= kRounding * (1.0 + std::abs(wanted)) ? wanted : clamped;
+  const bool equal =
+      std::isfinite(wanted) && std::abs(clamped - wanted) <= kRounding * (1.0 + std::abs(wanted));
+  return equal ? wanted : clamped;
 }
 
 bool LimitGuard::follow(double dt, const JointSample& target) noexcept {
@@ -61,9 +61,9 @@ bool LimitGuard::follow(double dt, const JointSample& target) noexcept {
     } else {
       // Behind: move with the target and close the gap along a braking curve. Half of the acceleration is
       // left for what the target itself does meanwhile.
-      const double distance = std::abs(lag);
-      const double closing =
-          std::min(distance / dt, braking_velocity(distance, 0.5 * limits_[i].acceleration, dt));
+      const double distance = std::abs(lag), acceleration = 0.5 * limits_[i].acceleration;
+      double closing = braking_velocity(distance, acceleration, dt);
+      if (distance <= acceleration * dt * dt) closing = distance / dt;  // there within this step
       wanted = (target.position[i] - target_[i]) / dt + std::copysign(closing, lag);
     }
     const double velocity = clamp_step(i, wanted, dt);
@@ -71,7 +71,8 @@ bool LimitGuard::follow(double dt, const JointSample& target) noexcept {
     if (velocity == wanted &&
         std::abs(reached - target.position[i]) <= kRounding * dt * (1.0 + std::abs(wanted))) {
       command_.position[i] = target.position[i];
-      command_.velocity[i] = std::clamp(target.velocity[i], -limits_[i].velocity, limits_[i].velocity);
+      const double given = std::isfinite(target.velocity[i]) ? target.velocity[i] : velocity;
+      command_.velocity[i] = std::clamp(given, -limits_[i].velocity, limits_[i].velocity);
     } else {
       guarded = guarded || velocity != wanted;
       command_.position[i] = reached;

@@ -18,15 +18,14 @@ namespace goalnet::executor {
 //   braked before its limit. A command that starts outside its position limits may only move inward.
 class LimitGuard {
  public:
-  // `longest_step` [s]: no dt is ever longer. Room for one such step is kept before position limits.
-  LimitGuard(const std::vector<JointLimits>& joints, double longest_step);
+  explicit LimitGuard(const std::vector<JointLimits>& joints);
 
   // The command stands at `position`, and so does the target.
   void reset(const JointSample& position) noexcept;
   // The target starts anew at the current command (after a change of motion); velocities are kept.
   void rebase_target() noexcept;
 
-  // Moves the command towards `target` for `dt` seconds (0 < dt <= longest_step). Returns true if a limit
+  // Moves the command towards `target` for `dt` seconds (> 0). Returns true if a limit
   // changed the command.
   bool follow(double dt, const JointSample& target) noexcept;
   // Brakes every joint as hard as permitted for `dt` seconds.
@@ -44,7 +43,6 @@ class LimitGuard {
   double clamp_step(std::size_t joint, double wanted, double dt) const noexcept;
 
   std::vector<Limits> limits_;
-  double longest_step_;
   JointSample command_;                      // last command
   std::array<double, kMaxJoints> target_{};  // last target position
   std::array<double, kMaxJoints>

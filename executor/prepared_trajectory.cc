@@ -91,43 +91,63 @@ Expected<std::unique_ptr<PreparedTrajectory>> PreparedTrajectory::prepare(const 
     prepared->positions_.insert(prepared->positions_.end(), point.position.begin(), point.position.end());
   }
 
+  if (auto ok = prepared->check_positions(params); !ok) return tl::unexpected(ok.error());
+  if (auto ok = prepared->take_velocities(trajectory, params); !ok) return tl::unexpected(ok.error());
+  return prepared;
+}
+
+Expected<void> PreparedTrajectory::check_positions(const ExecutorParams& params) {
+  const std::size_t count = joints_.size();
+  for (std::size_t n = 0; n < positions_.size(); ++n) {
+    const JointLimits& limits = params.joints[joints_[n % count]];
+    const auto where = [&] {
+      return "point " + std::to_string(n / count) + ", joint '" + limits.name + "': ";
+    };
+    double& position = positions_[n];
+    if (!std::isfinite(position)) return invalid(where() + "position is not a number");
+    if (position < limits.position_min - kRounding || position > limits.position_max + kRounding)
+      return invalid(where() + "position " + number(position) + " is outside [" +
+                     number(limits.position_min) + ", " + number(limits.position_max) + "]");
+    position = std::clamp(position, limits.position_min, limits.position_max);
+  }
+  return {};
+}
+
+Expected<void> PreparedTrajectory::take_velocities(const JointTrajectory& trajectory,
+                                                   const ExecutorParams& params) {
+  const std::size_t count = joints_.size(), points = times_.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const JointLimits& limits = params.joints[prepared->joints_[i]];
+    const JointLimits& limits = params.joints[joints_[i]];
     double before = 0.0;  // average velocity of the segment before point k
     for (std::size_t k = 0; k < points; ++k) {
-      const std::string where = "point " + std::to_string(k) + ", joint '" + limits.name + "': ";
-      double& position = prepared->positions_[k * count + i];
-      if (!std::isfinite(position)) return invalid(where + "position is not a number");
-      if (position < limits.position_min - kRounding || position > limits.position_max + kRounding)
-        return invalid(where + "position " + number(position) + " is outside [" +
-                       number(limits.position_min) + ", " + number(limits.position_max) + "]");
-      position = std::clamp(position, limits.position_min, limits.position_max);
+      const auto where = [&] { return "point " + std::to_string(k) + ", joint '" + limits.name + "': "; };
+      const double position = positions_[k * count + i];
       double after = 0.0;
       if (k + 1 < points) {
-        const double duration = 1e-9 * static_cast<double>(prepared->times_[k + 1] - prepared->times_[k]);
-        after = (prepared->positions_[(k + 1) * count + i] - position) / duration;
+        const double duration = 1e-9 * static_cast<double>(times_[k + 1] - times_[k]);
+        after = (positions_[(k + 1) * count + i] - position) / duration;
         if (std::abs(after) > limits.velocity * (1.0 + kRounding) + kRounding)
-          return invalid(where + "the way to the next point needs " + number(std::abs(after)) +
+          return invalid(where() + "the way to the next point needs " + number(std::abs(after)) +
                          " per second, the limit is " + number(limits.velocity));
       }
       const std::vector<double>& given = trajectory.points[k].velocity;
-      double& velocity = prepared->velocities_[k * count + i];
+      double& velocity = velocities_[k * count + i];
       velocity = !given.empty()                ? given[i]
                  : (k == 0 || k + 1 == points) ? 0.0
                                                : monotone_slope(before, after);
-      if (!std::isfinite(velocity)) return invalid(where + "velocity is not a number");
+      if (!std::isfinite(velocity)) return invalid(where() + "velocity is not a number");
       if (std::abs(velocity) > limits.velocity * (1.0 + kRounding))
-        return invalid(where + "velocity " + number(velocity) + " exceeds the limit " +
+        return invalid(where() + "velocity " + number(velocity) + " exceeds the limit " +
                        number(limits.velocity));
       if (k + 1 == points) {
         if (std::abs(velocity) > 0.01 * limits.velocity)
-          return invalid(where + "it must end at standstill, not at " + number(velocity));
+          return invalid(where() + "it must end at standstill, not at " + number(velocity));
         velocity = 0.0;
       }
       before = after;
     }
   }
-  return prepared;
+  return {};
 }
 
 std::size_t PreparedTrajectory::find_segment(std::int64_t time_ns, std::size_t hint) const noexcept {

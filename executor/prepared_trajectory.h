@@ -38,6 +38,9 @@ class PreparedTrajectory {
   std::uint64_t id = 0;  // given by TrajectoryExecutor::submit()
 
  private:
+  Expected<void> check_positions(const ExecutorParams& params);
+  Expected<void> take_velocities(const JointTrajectory& trajectory, const ExecutorParams& params);
+
   std::int64_t stamp_ns_ = 0;
   std::vector<std::size_t> joints_;
   std::vector<std::int64_t> times_;             // [ns] of each point
