@@ -1,0 +1,74 @@
+// A PDDL domain after parsing: types, constants, predicates, action schemas. Immutable afterwards; may be read
+// from several threads at once.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "components/core/outcome.h"
+#include "components/planner/formula.h"
+#include "components/planner/symbols.h"
+
+namespace goalnet::planner {
+
+struct PredicateSchema {
+  std::vector<TypeSet> parameters;
+};
+
+// A numeric function; only those that give action costs are supported.
+struct FunctionSchema {
+  std::vector<TypeSet> parameters;
+};
+
+// (increase (total-cost) (distance ?a ?b)): a constant plus the values of functions.
+struct CostExpression {
+  std::int64_t constant = 0;
+  std::vector<AtomPattern> functions;  // `predicate` holds the function's number
+};
+
+struct ActionSchema {
+  std::string name;
+  std::int32_t parameter_count = 0;
+  std::vector<TypeSet> slots;            // types of the parameters, then of all quantified variables
+  std::vector<std::string> slot_names;   // "?x", for messages
+  Formula precondition;
+  Effect effect;
+  CostExpression cost;                   // meaningful where the problem minimises total-cost
+};
+
+// (:derived (above ?x ?y) FORMULA). Definitions must not be recursive.
+struct DerivedPredicate {
+  PredicateId predicate = 0;
+  std::int32_t parameter_count = 0;
+  std::vector<TypeSet> slots;
+  Formula body;
+};
+
+struct Domain {
+  std::string name;
+  SymbolTable types;                           // 0 is "object"
+  std::vector<std::vector<TypeId>> ancestors;  // by type: itself and all above, sorted
+  SymbolTable constants;
+  std::vector<TypeId> constant_types;
+  SymbolTable predicates;
+  std::vector<PredicateSchema> predicate_schemas;
+  SymbolTable functions;
+  std::vector<FunctionSchema> function_schemas;
+  SymbolTable action_names;
+  std::vector<ActionSchema> actions;
+  std::vector<DerivedPredicate> derived;
+
+  bool is_a(TypeId type, TypeId ancestor) const;
+  bool is_a(TypeId type, const TypeSet& any_of) const;
+};
+
+// Parses a PDDL 2.1 domain (the ADL part, derived predicates and action costs). `filename` is for messages only:
+// every error is kInvalidRequest and starts with "filename:line:column: ".
+Expected<Domain> parse_domain(std::string_view text, std::string_view filename);
+
+// Reads and parses a file.
+Expected<Domain> load_domain(const std::string& path);
+
+}  // namespace goalnet::planner

@@ -1,0 +1,228 @@
+#include "components/planner/interpreter.h"
+
+#include <algorithm>
+#include <array>
+
+namespace goalnet::planner {
+namespace {
+
+// Arguments of an atom under a binding; predicates have at most 16.
+struct Ground {
+  std::array<ObjectId, 16> ids;
+  std::size_t count;
+  Ground(const AtomPattern& atom, const std::vector<ObjectId>& binding) : count(atom.arguments.size()) {
+    for (std::size_t i = 0; i < count; ++i) ids[i] = atom.arguments[i].resolve(binding.data());
+  }
+};
+
+}  // namespace
+
+void AtomSet::assign(const AtomTable& atoms) {
+  table_ = atoms;
+  holds_.assign(static_cast<std::size_t>(atoms.size()), 1);
+}
+
+void AtomSet::set(PredicateId predicate, const ObjectId* arguments, std::size_t count, bool holds) {
+  if (!holds) {
+    const std::int32_t atom = table_.find(predicate, arguments, count);
+    if (atom != AtomTable::kNone) holds_[static_cast<std::size_t>(atom)] = 0;
+    return;
+  }
+  const std::int32_t atom = table_.add(predicate, arguments, count);
+  holds_.resize(static_cast<std::size_t>(table_.size()), 0);
+  holds_[static_cast<std::size_t>(atom)] = 1;
+}
+
+// Calls visit() for every way to bind the variables from `index` on; stops and returns false when visit() does.
+template <class Visit>
+bool Interpreter::for_each_binding(const std::vector<std::int32_t>& variables, std::size_t index,
+                                   const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+                                   const Visit& visit) const {
+  if (index == variables.size()) return visit();
+  const auto slot = static_cast<std::size_t>(variables[index]);
+  for (ObjectId id = 0; id < problem_.object_count(); ++id) {
+    if (!problem_.object_is_a(id, slots[slot])) continue;
+    binding[slot] = id;
+    if (!for_each_binding(variables, index + 1, slots, binding, visit)) return false;
+  }
+  return true;
+}
+
+bool Interpreter::atom_holds(const AtomPattern& atom, const std::vector<ObjectId>& binding,
+                             const AtomSet& state) const {
+  const Ground ground(atom, binding);
+  for (const DerivedPredicate& definition : problem_.domain().derived) {
+    if (definition.predicate != atom.predicate) continue;
+    std::vector<ObjectId> inner(definition.slots.size(), 0);
+    bool fits = true;
+    for (std::size_t i = 0; i < ground.count; ++i) {
+      inner[i] = ground.ids[i];
+      fits = fits && problem_.object_is_a(inner[i], definition.slots[i]);
+    }
+    if (fits && holds(definition.body, definition.slots, inner, state)) return true;
+  }
+  return state.contains(atom.predicate, ground.ids.data(), ground.count);
+}
+
+bool Interpreter::holds(const Formula& formula, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+                        const AtomSet& state) const {
+  const auto child = [&](const Formula& inner) { return holds(inner, slots, binding, state); };
+  switch (formula.kind) {
+    case Formula::Kind::kTrue: return true;
+    case Formula::Kind::kFalse: return false;
+    case Formula::Kind::kAtom: return atom_holds(formula.atom, binding, state);
+    case Formula::Kind::kEqual:
+      return formula.atom.arguments[0].resolve(binding.data()) == formula.atom.arguments[1].resolve(binding.data());
+    case Formula::Kind::kNot: return !child(formula.children[0]);
+    case Formula::Kind::kAnd: return std::all_of(formula.children.begin(), formula.children.end(), child);
+    case Formula::Kind::kOr: return std::any_of(formula.children.begin(), formula.children.end(), child);
+    case Formula::Kind::kForall:
+      return for_each_binding(formula.slots, 0, slots, binding, [&] { return child(formula.children[0]); });
+    case Formula::Kind::kExists:
+      return !for_each_binding(formula.slots, 0, slots, binding, [&] { return !child(formula.children[0]); });
+  }
+  return false;
+}
+
+void Interpreter::collect(const Effect& effect, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+                          const AtomSet& state, std::vector<AtomChange>* added,
+                          std::vector<AtomChange>* deleted) const {
+  switch (effect.kind) {
+    case Effect::Kind::kAdd:
+    case Effect::Kind::kDelete: {
+      const Ground ground(effect.atom, binding);
+      const bool add = effect.kind == Effect::Kind::kAdd;
+      // Deleting what does not hold changes nothing, and quantified effects delete a lot of that.
+      if (!add && !state.contains(effect.atom.predicate, ground.ids.data(), ground.count)) return;
+      (add ? added : deleted)
+          ->push_back({effect.atom.predicate,
+                       {ground.ids.begin(), ground.ids.begin() + static_cast<std::ptrdiff_t>(ground.count)},
+                       add});
+      return;
+    }
+    case Effect::Kind::kAnd:
+      for (const Effect& child : effect.children) collect(child, slots, binding, state, added, deleted);
+      return;
+    case Effect::Kind::kWhen:
+      if (holds(effect.condition, slots, binding, state)) {
+        collect(effect.children[0], slots, binding, state, added, deleted);
+      }
+      return;
+    case Effect::Kind::kForall:
+      for_each_binding(effect.slots, 0, slots, binding, [&] {
+        collect(effect.children[0], slots, binding, state, added, deleted);
+        return true;
+      });
+      return;
+  }
+}
+
+std::vector<AtomChange> Interpreter::changes(const Effect& effect, const std::vector<TypeSet>& slots,
+                                             std::vector<ObjectId>& binding, const AtomSet& state) const {
+  std::vector<AtomChange> added, deleted;
+  collect(effect, slots, binding, state, &added, &deleted);
+  deleted.insert(deleted.end(), added.begin(), added.end());
+  return deleted;
+}
+
+std::string Interpreter::text(const AtomPattern& atom, const std::vector<ObjectId>& binding) const {
+  std::string result = "(" + problem_.domain().predicates.name(atom.predicate);
+  for (const Term argument : atom.arguments) {
+    const ObjectId id = argument.resolve(binding.data());
+    result += " " + (id < 0 ? std::string("?") : problem_.object_name(id));
+  }
+  return result + ")";
+}
+
+std::string Interpreter::why_not(const Formula& formula, const std::vector<TypeSet>& slots,
+                                 std::vector<ObjectId>& binding, const AtomSet& state) const {
+  const auto name = [&](Term term) { return problem_.object_name(term.resolve(binding.data())); };
+  switch (formula.kind) {
+    case Formula::Kind::kTrue: return "";
+    case Formula::Kind::kFalse: return "it never applies";
+    case Formula::Kind::kAtom: return text(formula.atom, binding) + " does not hold";
+    case Formula::Kind::kEqual:
+      return name(formula.atom.arguments[0]) + " is not " + name(formula.atom.arguments[1]);
+    case Formula::Kind::kNot: {
+      const Formula& inner = formula.children[0];
+      if (inner.kind == Formula::Kind::kAtom) return text(inner.atom, binding) + " holds";
+      if (inner.kind == Formula::Kind::kEqual) return name(inner.atom.arguments[0]) + " may not be used with itself";
+      return "what must not hold holds";
+    }
+    case Formula::Kind::kAnd:
+      for (const Formula& child : formula.children) {
+        if (!holds(child, slots, binding, state)) return why_not(child, slots, binding, state);
+      }
+      return "";
+    case Formula::Kind::kOr: {
+      // Alternatives that equality rules out are not worth telling ("MicrowaveButton is not FridgeButton").
+      std::string result;
+      for (const Formula& child : formula.children) {
+        if (const std::string reason = why_not(child, slots, binding, state);
+            reason.find(" is not ") == std::string::npos && reason.find(" itself") == std::string::npos) {
+          result += (result.empty() ? "" : ", and ") + reason;
+        }
+      }
+      return result.empty() ? "it does not apply to these arguments" : result;
+    }
+    case Formula::Kind::kForall: {
+      std::string result;
+      for_each_binding(formula.slots, 0, slots, binding, [&] {
+        if (holds(formula.children[0], slots, binding, state)) return true;
+        result = why_not(formula.children[0], slots, binding, state);
+        return false;
+      });
+      return result;
+    }
+    case Formula::Kind::kExists: return "nothing fits a condition of the kind 'exists'";
+  }
+  return "";
+}
+
+Expected<const ActionSchema*> Interpreter::bind(const Action& action, std::vector<ObjectId>& binding) const {
+  const Domain& domain = problem_.domain();
+  const std::int32_t index = domain.action_names.find(action.name);
+  if (index == SymbolTable::kNone) {
+    return fail(Outcome::kInvalidRequest, "domain " + domain.name + " has no action '" + action.name + "'" +
+                                              did_you_mean(action.name, domain.action_names.names()));
+  }
+  const ActionSchema& schema = domain.actions[static_cast<std::size_t>(index)];
+  if (static_cast<std::int32_t>(action.arguments.size()) != schema.parameter_count) {
+    return fail(Outcome::kInvalidRequest, "action " + schema.name + " takes " +
+                                              std::to_string(schema.parameter_count) + " arguments, not " +
+                                              std::to_string(action.arguments.size()) + ": (" + to_string(action) + ")");
+  }
+  binding.assign(schema.slots.size(), 0);
+  for (std::size_t i = 0; i < action.arguments.size(); ++i) {
+    const ObjectId id = problem_.find_object(action.arguments[i]);
+    if (id == SymbolTable::kNone || !problem_.present(id)) {
+      return fail(Outcome::kUnknownObject, "(" + to_string(action) + "): unknown object '" + action.arguments[i] + "'" +
+                                               did_you_mean(action.arguments[i], problem_.object_names()));
+    }
+    if (!problem_.object_is_a(id, schema.slots[i])) {
+      std::string types;
+      for (const TypeId type : schema.slots[i]) types += (types.empty() ? "" : " or ") + domain.types.name(type);
+      return fail(Outcome::kInvalidRequest, "(" + to_string(action) + "): " + problem_.object_name(id) + " is a " +
+                                                domain.types.name(problem_.object_type(id)) + ", not a " + types);
+    }
+    binding[i] = id;
+  }
+  return &schema;
+}
+
+Expected<std::int64_t> Interpreter::cost(const ActionSchema& schema, const std::vector<ObjectId>& binding) const {
+  if (!problem_.minimise_cost) return 1;
+  std::int64_t total = schema.cost.constant;
+  for (const AtomPattern& function : schema.cost.functions) {
+    const Ground ground(function, binding);
+    const std::int32_t index = problem_.cost_atoms.find(function.predicate, ground.ids.data(), ground.count);
+    if (index == AtomTable::kNone) {
+      return fail(Outcome::kInvalidRequest, "the problem gives no value for function " +
+                                                problem_.domain().functions.name(function.predicate));
+    }
+    total += problem_.cost_values[static_cast<std::size_t>(index)];
+  }
+  return total;
+}
+
+}  // namespace goalnet::planner

@@ -1,0 +1,73 @@
+// Reads conditions and effects straight from the parsed text and applies them to a set of atoms. Slow and simple:
+// the validator and world.h use it; the search does not.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "components/planner/atom_table.h"
+#include "components/planner/problem.h"
+
+namespace goalnet::planner {
+
+// Atoms that hold now. Numbers of atoms stay valid when they stop holding.
+class AtomSet {
+ public:
+  void assign(const AtomTable& atoms);
+  bool contains(PredicateId predicate, const ObjectId* arguments, std::size_t count) const {
+    const std::int32_t atom = table_.find(predicate, arguments, count);
+    return atom != AtomTable::kNone && holds_[static_cast<std::size_t>(atom)] != 0;
+  }
+  void set(PredicateId predicate, const ObjectId* arguments, std::size_t count, bool holds);
+  const AtomTable& table() const { return table_; }
+  bool holds(std::int32_t atom) const { return holds_[static_cast<std::size_t>(atom)] != 0; }
+
+ private:
+  AtomTable table_;
+  std::vector<std::uint8_t> holds_;
+};
+
+struct AtomChange {
+  PredicateId predicate;
+  std::vector<ObjectId> arguments;
+  bool added;
+};
+
+class Interpreter {
+ public:
+  explicit Interpreter(const Problem& problem) : problem_(problem) {}
+
+  // `binding` gives the parameters and has room for all slots; `slots` are their types.
+  bool holds(const Formula& formula, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+             const AtomSet& state) const;
+
+  // Everything the effect does to `state`, evaluated on `state`: first deletions, then additions.
+  std::vector<AtomChange> changes(const Effect& effect, const std::vector<TypeSet>& slots,
+                                  std::vector<ObjectId>& binding, const AtomSet& state) const;
+
+  // The first part of `formula` that fails, as text: "(state Microwave DoorIsOpen) does not hold". For messages.
+  std::string why_not(const Formula& formula, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+                      const AtomSet& state) const;
+
+  // "(On Mug_1 Sink)"; unbound variables are shown as "?".
+  std::string text(const AtomPattern& atom, const std::vector<ObjectId>& binding) const;
+
+  // The action's parameters from names: checks name, count and types. Errors: kInvalidRequest, kUnknownObject.
+  Expected<const ActionSchema*> bind(const Action& action, std::vector<ObjectId>& binding) const;
+
+  // Metric cost of one action: 1, or what it adds to total-cost.
+  Expected<std::int64_t> cost(const ActionSchema& schema, const std::vector<ObjectId>& binding) const;
+
+ private:
+  template <class Visit>
+  bool for_each_binding(const std::vector<std::int32_t>& variables, std::size_t index,
+                        const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding, const Visit& visit) const;
+  bool atom_holds(const AtomPattern& atom, const std::vector<ObjectId>& binding, const AtomSet& state) const;
+  void collect(const Effect& effect, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+               const AtomSet& state, std::vector<AtomChange>* added, std::vector<AtomChange>* deleted) const;
+
+  const Problem& problem_;
+};
+
+}  // namespace goalnet::planner

@@ -1,0 +1,69 @@
+#include "components/planner/lexer.h"
+
+#include <algorithm>
+#include <array>
+
+namespace goalnet::planner {
+namespace {
+
+enum : unsigned char { kOther = 0, kSpace = 1, kWordCharacter = 2, kParenthesis = 3, kComment = 4 };
+
+constexpr std::array<unsigned char, 256> classes() {
+  std::array<unsigned char, 256> table{};
+  for (const char c : {' ', '\t', '\n', '\r', '\f', '\v'}) table[static_cast<unsigned char>(c)] = kSpace;
+  for (char c = 'a'; c <= 'z'; ++c) table[static_cast<unsigned char>(c)] = kWordCharacter;
+  for (char c = 'A'; c <= 'Z'; ++c) table[static_cast<unsigned char>(c)] = kWordCharacter;
+  for (char c = '0'; c <= '9'; ++c) table[static_cast<unsigned char>(c)] = kWordCharacter;
+  for (const char c : {'-', '_', '?', ':', '=', '.', '@', '+', '*', '/', '<', '>', '#', '!', '&', '%', '$', '\''}) {
+    table[static_cast<unsigned char>(c)] = kWordCharacter;
+  }
+  table['('] = table[')'] = kParenthesis;
+  table[';'] = kComment;
+  return table;
+}
+constexpr auto kClasses = classes();
+
+unsigned char class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
+
+}  // namespace
+
+void Lexer::advance() {
+  while (at_ < text_.size()) {
+    const unsigned char kind = class_of(text_[at_]);
+    if (kind == kSpace) {
+      ++at_;
+    } else if (kind == kComment) {
+      while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    } else {
+      break;
+    }
+  }
+  const std::size_t start = at_;
+  if (at_ == text_.size()) {
+    token_ = {Token::Kind::kEnd, {}, start};
+    return;
+  }
+  switch (class_of(text_[at_])) {
+    case kParenthesis:
+      token_ = {text_[at_] == '(' ? Token::Kind::kOpen : Token::Kind::kClose, text_.substr(start, 1), start};
+      ++at_;
+      return;
+    case kWordCharacter:
+      while (at_ < text_.size() && class_of(text_[at_]) == kWordCharacter) ++at_;
+      token_ = {Token::Kind::kWord, text_.substr(start, at_ - start), start};
+      return;
+    default:
+      token_ = {Token::Kind::kBad, text_.substr(start, 1), start};
+      at_ = text_.size();
+  }
+}
+
+std::string Lexer::position(std::size_t offset) const {
+  const std::string_view before = text_.substr(0, std::min(offset, text_.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t newline = before.rfind('\n');
+  const std::size_t column = newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
+  return std::to_string(line) + ":" + std::to_string(column);
+}
+
+}  // namespace goalnet::planner

@@ -1,0 +1,39 @@
+// Cuts PDDL text into parentheses and words. Comments start with ';'.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace goalnet::planner {
+
+struct Token {
+  enum class Kind { kOpen, kClose, kWord, kEnd, kBad };
+  Kind kind = Kind::kEnd;
+  std::string_view text;   // the word; for kBad the offending character
+  std::size_t offset = 0;  // into the text
+};
+
+class Lexer {
+ public:
+  explicit Lexer(std::string_view text) : text_(text) { advance(); }
+
+  const Token& peek() const { return token_; }
+  Token next() {
+    const Token result = token_;
+    advance();
+    return result;
+  }
+
+  // "12:7" (line and column, both from 1) of an offset.
+  std::string position(std::size_t offset) const;
+
+ private:
+  void advance();
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  Token token_;
+};
+
+}  // namespace goalnet::planner

@@ -1,0 +1,43 @@
+// Names and numbers for them. PDDL names are case-insensitive; the first spelling seen is the one printed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace goalnet::planner {
+
+// Interns names: 0, 1, 2, ... in order of arrival. Look-up ignores case. Not thread-safe while adding.
+class SymbolTable {
+ public:
+  static constexpr std::int32_t kNone = -1;
+
+  // The number of `name`, adding it if new.
+  std::int32_t add(std::string_view name);
+  // The number of `name`, or kNone.
+  std::int32_t find(std::string_view name) const;
+
+  const std::string& name(std::int32_t id) const { return names_[static_cast<std::size_t>(id)]; }
+  std::int32_t size() const { return static_cast<std::int32_t>(names_.size()); }
+  const std::vector<std::string>& names() const { return names_; }
+  void clear();
+
+ private:
+  std::size_t slot_of(std::string_view name) const;
+  void grow();
+
+  std::vector<std::string> names_;
+  std::vector<std::int32_t> slots_;  // open addressing, kNone = free; a power of two
+};
+
+bool equal_ignoring_case(std::string_view left, std::string_view right);
+
+// What a person most likely meant: the name with the smallest edit distance to `wanted`, or "" if none is near
+// (more than half of the letters differ).
+std::string nearest_name(std::string_view wanted, const std::vector<std::string>& names);
+
+// " (did you mean X?)", or "".
+std::string did_you_mean(std::string_view wanted, const std::vector<std::string>& names);
+
+}  // namespace goalnet::planner
