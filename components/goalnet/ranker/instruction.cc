@@ -1,0 +1,164 @@
+#include "components/goalnet/ranker/instruction.h"
+
+#include <algorithm>
+#include <array>
+
+namespace goalnet::inference {
+namespace {
+
+constexpr std::size_t kLongestName = 4;  // words
+
+bool is_filler(const std::string& word) {
+  static constexpr std::array<std::string_view, 14> kFillers = {"the", "a",   "an",     ".",    ",",    "please", "and",
+                                                                "then", "now", "kindly", "also", "next", "finally", "could"};
+  return std::find(kFillers.begin(), kFillers.end(), word) != kFillers.end();
+}
+
+bool is_article(const std::string& word) { return word == "the" || word == "a" || word == "an"; }
+
+void find_mentions(Instruction& instruction, const Lexicon& lexicon, const std::vector<bool>& plural) {
+  const auto& words = instruction.words;
+  for (std::size_t i = 0; i < words.size();) {
+    std::size_t length = std::min(kLongestName, words.size() - i);
+    std::string phrase;
+    for (; length > 0; --length) {
+      phrase = words[i];
+      for (std::size_t k = 1; k < length; ++k) phrase += " " + words[i + k];
+      if (lexicon.is_name(phrase)) break;
+    }
+    if (length == 0) {
+      ++i;
+      continue;
+    }
+    instruction.mentions.push_back({static_cast<int>(i), static_cast<int>(i + length), phrase, plural[i + length - 1]});
+    i += length;
+  }
+}
+
+// The words of a grounding key stand without blanks ("coffeetable"): where do they stand in the sentence?
+int find_joined(const std::vector<std::string>& words, const std::string& key) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string joined;
+    for (std::size_t k = i; k < words.size() && joined.size() < key.size(); ++k) {
+      joined += words[k];
+      if (joined == key || singular(key) == joined) return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+void ground(Instruction& instruction, const Grounding& grounding, const Symbols& symbols) {
+  for (const auto& [key, names] : grounding) {
+    const int at = find_joined(instruction.words, key);
+    int mention = -1;
+    for (std::size_t m = 0; m < instruction.mentions.size(); ++m)
+      if (instruction.mentions[m].begin <= at && at < instruction.mentions[m].end) mention = static_cast<int>(m);
+    if (mention < 0) {
+      mention = static_cast<int>(instruction.mentions.size());
+      instruction.mentions.push_back({std::max(at, 0), std::max(at, 0) + 1, key, false});
+    }
+    int rivals = 0;
+    for (const std::string& name : names) rivals += instruction.find(symbols.find(name)) >= 0;
+    for (const std::string& name : names) {
+      const int found = instruction.find(symbols.find(name));
+      if (found < 0) continue;
+      SeenObject& object = instruction.objects[static_cast<std::size_t>(found)];
+      if (object.grounded && object.rivals <= rivals) continue;
+      object.grounded = true;
+      object.mention = mention;
+      object.rivals = rivals;
+    }
+  }
+}
+
+}  // namespace
+
+std::uint32_t hash_text(std::string_view text) {
+  std::uint32_t hash = 0x811c9dc5u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193u;
+  return hash;
+}
+
+int Instruction::find(Symbol symbol) const {
+  const auto at = std::lower_bound(objects.begin(), objects.end(), symbol,
+                                   [](const SeenObject& object, Symbol value) { return object.symbol < value; });
+  return at != objects.end() && at->symbol == symbol && symbol != symbol::kNone ? static_cast<int>(at - objects.begin())
+                                                                              : -1;
+}
+
+Instruction see_instruction(const std::vector<std::string>& words, const Grounding* grounding,
+                            const std::vector<std::string>& objects, Lexicon& lexicon, Symbols& symbols) {
+  Instruction instruction;
+  std::vector<bool> plural;
+  for (const std::string& word : words) {
+    if (is_article(word)) continue;
+    if (word == "." && instruction.words.empty()) continue;  // many recorded sentences begin with a stop
+    instruction.words.push_back(singular(word));
+    plural.push_back(instruction.words.back() != word);
+  }
+  if (!instruction.words.empty() && instruction.words.back() == ".") instruction.words.pop_back();
+
+  for (const std::string& word : instruction.words) instruction.unigrams.push_back(hash_text(word));
+  std::uint32_t before = hash_text("<s>");
+  for (const std::uint32_t word : instruction.unigrams) {
+    instruction.bigrams.push_back(before * 31u + word);
+    before = word;
+  }
+  instruction.bigrams.push_back(before * 31u + hash_text("</s>"));
+  const auto first = std::find_if_not(instruction.words.begin(), instruction.words.end(), is_filler);
+  if (first != instruction.words.end()) instruction.first_verb = hash_text(*first);
+  for (auto* list : {&instruction.unigrams, &instruction.bigrams}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+
+  find_mentions(instruction, lexicon, plural);
+
+  for (const std::string& name : objects) {
+    const Symbol symbol = symbols.intern(name);
+    if (symbol == symbol::kNone || symbol == symbol::kRobot) continue;
+    instruction.objects.push_back({.symbol = symbol, .class_id = lexicon.class_of(symbol, symbols)});
+  }
+  // Ranks go by name, so that Pillow_1 comes before Pillow_2 whatever was interned first.
+  std::sort(instruction.objects.begin(), instruction.objects.end(), [&](const SeenObject& a, const SeenObject& b) {
+    return symbols.name(a.symbol) < symbols.name(b.symbol);
+  });
+  std::vector<std::uint8_t> count(lexicon.classes(), 0);
+  for (SeenObject& object : instruction.objects) object.rank = count[object.class_id]++;
+  for (SeenObject& object : instruction.objects) object.of_class = count[object.class_id];
+  std::sort(instruction.objects.begin(), instruction.objects.end(),
+            [](const SeenObject& a, const SeenObject& b) { return a.symbol < b.symbol; });
+  instruction.objects.erase(std::unique(instruction.objects.begin(), instruction.objects.end(),
+                                        [](const SeenObject& a, const SeenObject& b) { return a.symbol == b.symbol; }),
+                            instruction.objects.end());
+
+  for (std::size_t m = 0; m < instruction.mentions.size(); ++m) {
+    const std::string& phrase = instruction.mentions[m].phrase;
+    NameLevel best = NameLevel::kNone;
+    int rivals = 0;
+    for (const SeenObject& object : instruction.objects) {
+      const NameLevel level = lexicon.names(phrase, object.symbol, object.class_id);
+      if (level > best) best = level, rivals = 0;
+      rivals += level == best && level != NameLevel::kNone;
+    }
+    for (SeenObject& object : instruction.objects) {
+      const NameLevel level = lexicon.names(phrase, object.symbol, object.class_id);
+      if (level == NameLevel::kNone || level <= object.level) continue;
+      object.level = level;
+      object.mention = static_cast<int>(m);
+      object.rivals = level == best ? rivals : 100;
+    }
+  }
+  if (grounding != nullptr) {
+    instruction.grounding_given = true;
+    ground(instruction, *grounding, symbols);
+  }
+  for (SeenObject& object : instruction.objects) {
+    if (object.mention < 0) continue;
+    const int begin = instruction.mentions[static_cast<std::size_t>(object.mention)].begin;
+    object.word_before = begin > 0 ? hash_text(instruction.words[static_cast<std::size_t>(begin - 1)]) : 1;
+  }
+  return instruction;
+}
+
+}  // namespace goalnet::inference

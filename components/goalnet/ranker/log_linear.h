@@ -1,0 +1,49 @@
+// A log-linear choice model: p(candidate) ~ exp(sum of its features' weights). Training is deterministic.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace goalnet::inference {
+
+// The candidates of one decision: features of candidate i are features[offsets[i] .. offsets[i + 1]).
+struct Decision {
+  std::vector<std::uint32_t> features;
+  std::vector<std::uint32_t> offsets;  // one more than candidates
+  std::vector<float> target;           // what share of belief each candidate should have; sums to 1
+  float weight = 1;
+};
+
+struct LogLinearOptions {
+  int epochs = 14;
+  float rate = 0.10f;       // AdaGrad's step
+  float decay = 2e-6f;      // L2, applied to what is touched
+  std::uint64_t seed = 1;
+};
+
+class LogLinear {
+ public:
+  explicit LogLinear(std::size_t buckets) : weights_(buckets, 0.0f) {}
+
+  float score(std::span<const std::uint32_t> features) const {
+    float sum = 0;
+    for (const std::uint32_t feature : features) sum += weights_[feature];
+    return sum;
+  }
+  // Replaces `scores` by probabilities at the given temperature.
+  static void softmax(std::vector<float>& scores, float temperature = 1);
+
+  // `progress(epoch, loss)` after each epoch; returning false ends the training early.
+  void train(std::span<const Decision> decisions, const LogLinearOptions& options,
+             const std::function<bool(int, double)>& progress = {});
+
+  std::vector<float>& weights() { return weights_; }
+  const std::vector<float>& weights() const { return weights_; }
+
+ private:
+  std::vector<float> weights_;
+};
+
+}  // namespace goalnet::inference

@@ -1,0 +1,143 @@
+#include "components/goalnet/ranker/policy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goalnet::inference {
+
+Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const Places& places,
+                   std::span<const NeighbourVote> votes, const PartialRun& run) {
+  Moment moment;
+  moment.actions = candidates(instruction, lexicon, places, run.now);
+  const FeatureContext context(instruction, lexicon, votes, run);
+  moment.decision.features.reserve(moment.actions.size() * 120);
+  moment.decision.offsets.reserve(moment.actions.size() + 1);
+  moment.decision.offsets.push_back(0);
+  for (const SymAction& action : moment.actions) {
+    context.extract(action, moment.decision.features);
+    moment.decision.offsets.push_back(static_cast<std::uint32_t>(moment.decision.features.size()));
+  }
+  return moment;
+}
+
+Rollout::Rollout(const std::vector<const LogLinear*>& models, const Instruction& instruction, const Lexicon& lexicon,
+                 const Places& places, std::span<const NeighbourVote> votes, const SymState& start)
+    : models_(models), instruction_(instruction), lexicon_(lexicon), places_(places), votes_(votes) {
+  Node root;
+  root.run.start = root.run.now = start;
+  nodes_.push_back(std::move(root));
+}
+
+void Rollout::expand(std::size_t index) {
+  if (nodes_[index].expanded) return;
+  Moment moment = make_moment(instruction_, lexicon_, places_, votes_, nodes_[index].run);
+  std::vector<float> sum(moment.actions.size(), 0.0f), scores(moment.actions.size());
+  for (const LogLinear* model : models_) {
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      const std::size_t begin = moment.decision.offsets[i], end = moment.decision.offsets[i + 1];
+      scores[i] = model->score(std::span(moment.decision.features).subspan(begin, end - begin));
+    }
+    for (std::size_t i = 0; i < scores.size(); ++i) sum[i] += scores[i];
+  }
+  for (float& value : sum) value /= static_cast<float>(models_.size());
+  LogLinear::softmax(sum);
+  Node& node = nodes_[index];
+  node.actions = std::move(moment.actions);
+  node.probability = std::move(sum);
+  node.child.assign(node.actions.size(), -1);
+  node.expanded = true;
+}
+
+int Rollout::follow(std::size_t index, std::size_t choice) {
+  if (nodes_[index].child[choice] != -1) return nodes_[index].child[choice];
+  const SymAction action = nodes_[index].actions[choice];
+  Node next;
+  next.run = nodes_[index].run;
+  const auto steps = with_means(action, next.run.now);
+  const SymState before = next.run.now;
+  for (const SymAction& step : steps) apply(step, next.run.now);
+  next.primitive = nodes_[index].primitive + steps.size();
+  // Planner in the loop: what cannot be reached, changes nothing or leads back to the start is no choice.
+  if (steps.empty() || next.run.now == before || next.run.now == next.run.start || next.primitive > kMaxActions) {
+    nodes_[index].child[choice] = -2;
+    return -2;
+  }
+  next.run.actions.push_back(action);
+  nodes_.push_back(std::move(next));
+  return nodes_[index].child[choice] = static_cast<int>(nodes_.size()) - 1;
+}
+
+template <class Choose>
+CandidateRun Rollout::roll(Choose choose) {
+  std::size_t at = 0;
+  float log_probability = 0;
+  while (nodes_[at].run.actions.size() < kMaxMacros) {
+    expand(at);
+    const std::size_t choice = choose(nodes_[at]);
+    log_probability += std::log(std::max(nodes_[at].probability[choice], 1e-6f));
+    if (nodes_[at].actions[choice].verb == Verb::kStop) break;
+    const int next = follow(at, choice);
+    if (next >= 0) {
+      at = static_cast<std::size_t>(next);
+      continue;
+    }
+    // Take the choice away for good and choose again among the rest.
+    Node& node = nodes_[at];
+    node.probability[choice] = 0;
+    float sum = 0;
+    for (const float p : node.probability) sum += p;
+    if (sum <= 0) break;
+    for (float& p : node.probability) p /= sum;
+  }
+  CandidateRun run = play(nodes_[0].run.start, nodes_[at].run.actions);
+  run.log_probability = log_probability;
+  return run;
+}
+
+CandidateRun Rollout::greedy() {
+  return roll([](const Node& node) {
+    return static_cast<std::size_t>(std::max_element(node.probability.begin(), node.probability.end()) -
+                                    node.probability.begin());
+  });
+}
+
+CandidateRun Rollout::sample(Random& random, float temperature) {
+  CandidateRun run = roll([&](const Node& node) {
+    double sum = 0;
+    const float power = 1 / temperature;
+    for (const float p : node.probability) sum += temperature == 1 ? p : std::pow(p, power);
+    double left = random.uniform() * sum;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < node.probability.size(); ++i) {
+      if (node.probability[i] <= 0) continue;
+      last = i;
+      left -= temperature == 1 ? node.probability[i] : std::pow(node.probability[i], power);
+      if (left < 0) return i;
+    }
+    return last;
+  });
+  run.source = 1;
+  return run;
+}
+
+float Rollout::log_probability(std::span<const SymAction> macros) {
+  constexpr float kImpossible = -8;
+  std::size_t at = 0;
+  float sum = 0;
+  for (std::size_t i = 0; i <= macros.size(); ++i) {
+    expand(at);
+    const SymAction action = i < macros.size() ? macros[i] : SymAction{};
+    const auto& actions = nodes_[at].actions;
+    const auto found = std::find(actions.begin(), actions.end(), action);
+    const auto choice = static_cast<std::size_t>(found - actions.begin());
+    if (found == actions.end()) return sum + kImpossible;
+    sum += std::log(std::max(nodes_[at].probability[choice], 1e-4f));
+    if (action.verb == Verb::kStop) break;
+    const int next = follow(at, choice);
+    if (next < 0) return sum + kImpossible;
+    at = static_cast<std::size_t>(next);
+  }
+  return sum;
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,61 @@
+// The log-linear ranker as a policy: which action next, given the instruction, the world and what was done.
+#pragma once
+
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "components/goalnet/ranker/candidates.h"
+#include "components/goalnet/ranker/features.h"
+#include "components/goalnet/ranker/log_linear.h"
+#include "components/goalnet/random.h"
+#include "components/goalnet/ranker/run_pool.h"
+
+namespace goalnet::inference {
+
+inline constexpr std::size_t kMaxMacros = 25;
+inline constexpr std::size_t kMaxActions = 30;
+
+// The candidates of one moment with their features, as training and decoding see them.
+struct Moment {
+  std::vector<SymAction> actions;
+  Decision decision;  // target left empty
+};
+Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const Places& places,
+                   std::span<const NeighbourVote> votes, const PartialRun& run);
+
+// Rolls the policy out for one instruction; moments seen before are remembered, so that many samples cost little.
+class Rollout {
+ public:
+  Rollout(const std::vector<const LogLinear*>& models, const Instruction& instruction, const Lexicon& lexicon,
+          const Places& places, std::span<const NeighbourVote> votes, const SymState& start);
+
+  CandidateRun greedy();
+  CandidateRun sample(Random& random, float temperature);
+  // Log probability of a run of macros followed by a stop; what the policy cannot do costs a fixed amount.
+  float log_probability(std::span<const SymAction> macros);
+
+ private:
+  struct Node {
+    std::vector<SymAction> actions;
+    std::vector<float> probability;
+    std::vector<std::vector<SymAction>> steps;
+    std::vector<int> child;  // index into nodes_, -1 not visited, -2 leads nowhere new
+    PartialRun run;
+    std::size_t primitive = 0;  // actions so far, means included
+    bool expanded = false;
+  };
+  void expand(std::size_t index);
+  int follow(std::size_t index, std::size_t choice);
+  template <class Choose>
+  CandidateRun roll(Choose choose);
+
+  std::vector<const LogLinear*> models_;
+  const Instruction& instruction_;
+  const Lexicon& lexicon_;
+  const Places& places_;
+  std::span<const NeighbourVote> votes_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace goalnet::inference

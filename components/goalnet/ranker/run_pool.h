@@ -1,0 +1,32 @@
+// Candidate runs for one instruction, and how well they agree with each other.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "components/goalnet/sym_sim.h"
+
+namespace goalnet::inference {
+
+// A whole run under the benchmark's rules.
+struct CandidateRun {
+  std::vector<SymAction> macros;   // as chosen
+  std::vector<SymAction> actions;  // with their means; those that change nothing left out
+  SymState end;
+  SymDelta change;                 // from the start to `end`
+  float log_probability = 0;       // of the policy, per run
+  float weight = 0;                // how much it counts as "what a person might do"
+  int source = 0;                  // 0 greedy, 1 sampled, 2 a neighbour's replay, 3 a frame
+};
+
+// Applies macros one after the other (those that are not possible are left out).
+CandidateRun play(const SymState& start, std::span<const SymAction> macros);
+
+// How `run` would score if `truth` were the demonstration.
+struct Agreement {
+  float sji = 0, f1 = 0, ied = 0, grr = 0;
+  float mean() const { return (sji + f1 + ied + grr) / 4; }
+};
+Agreement agreement(const CandidateRun& run, const CandidateRun& truth);
+
+}  // namespace goalnet::inference
