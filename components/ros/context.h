@@ -26,7 +26,7 @@ std::string_view to_string(Distro distro);
 struct ContextOptions {
   int domain_id = -1;            // 0..232; -1: ROS_DOMAIN_ID, or 0
   std::string enclave = "/";     // where SROS2 looks for keys; also the participant's name
-  std::optional<Distro> distro;  // empty: GOALNET_ROS_DISTRO, or Jazzy
+  std::optional<Distro> distro = std::nullopt;  // empty: GOALNET_ROS_DISTRO, or Jazzy
   // Only talk inside this process: for tests and for a closed loop that nobody is to disturb.
   bool process_only = false;
 };

@@ -22,10 +22,10 @@ struct ParameterRange {
 };
 
 struct ParameterDescriptor {
-  std::string description;
+  std::string description = {};
   bool read_only = false;  // fixed once the node runs
-  std::optional<ParameterRange> range;
-  std::string additional_constraints;  // in words
+  std::optional<ParameterRange> range = std::nullopt;
+  std::string additional_constraints = {};  // in words
 };
 
 struct Parameter {

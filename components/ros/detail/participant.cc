@@ -1,0 +1,210 @@
+#include "components/ros/detail/participant.h"
+
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <algorithm>
+
+#include "components/ros/detail/message_type.h"
+#include "components/ros/names.h"
+
+namespace goalnet::ros::detail {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using eprosima::fastrtps::types::ReturnCode_t;
+using Range = ParticipantSettings::Range;
+
+constexpr const char* kGraphTopic = "ros_discovery_info";
+constexpr const char* kGraphType = "rmw_dds_common/msg/ParticipantEntitiesInfo";
+
+rtps::Locator_t udp_locator(const std::string& host, std::uint32_t port) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  locator.port = port;
+  rtps::IPLocator::setIPv4(locator, host);
+  return locator;
+}
+
+// Host names are looked up; what cannot be found is left out, as rmw does.
+void add_static_peers(const std::string& peers, rtps::LocatorList_t& list) {
+  std::size_t at = 0;
+  while (at < peers.size()) {
+    const auto end = std::min(peers.find(';', at), peers.size());
+    const std::string host = peers.substr(at, end - at);
+    at = end + 1;
+    if (host.empty()) continue;
+    const auto addresses = rtps::IPLocator::resolveNameDNS(host);
+    for (const auto& address : addresses.first) list.push_back(udp_locator(address, 0));
+  }
+}
+
+void set_discovery(const ParticipantSettings& settings, dds::DomainParticipantQos& qos) {
+  auto& builtin = qos.wire_protocol().builtin;
+  // The default announces once in three seconds after the first moment: matching then takes 3 s now and then.
+  builtin.discovery_config.initial_announcements.count = 40;
+  builtin.discovery_config.initial_announcements.period = eprosima::fastrtps::Duration_t(0, 50'000'000);
+  builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  if (settings.process_only) {
+    builtin.discovery_config.ignoreParticipantFlags = static_cast<rtps::ParticipantFilteringFlags_t>(
+        rtps::ParticipantFilteringFlags::FILTER_DIFFERENT_HOST |
+        rtps::ParticipantFilteringFlags::FILTER_DIFFERENT_PROCESS);
+  }
+  if (settings.range == Range::kLocalhost || settings.range == Range::kOff) {
+    // An empty locator means: the usual unicast port, and no multicast.
+    builtin.metatrafficUnicastLocatorList.push_back(rtps::Locator_t());
+  }
+  if (settings.range == Range::kLocalhost) builtin.initialPeersList.push_back(udp_locator("127.0.0.1", 0));
+  if (settings.range == Range::kSubnet && !settings.static_peers.empty()) {
+    builtin.initialPeersList.push_back(udp_locator("239.255.0.1", 0));
+  }
+  if (settings.range != Range::kSystemDefault) add_static_peers(settings.static_peers, builtin.initialPeersList);
+}
+
+// Peers without a port are tried on the ports of this many participants per host.
+constexpr std::uint32_t kPeersPerHost = 32;
+
+void set_transports(const ParticipantSettings& settings, dds::DomainParticipantQos& qos) {
+  if (settings.range == Range::kSystemDefault) return;
+  auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
+  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  if (settings.range == Range::kLocalhost || !settings.static_peers.empty()) {
+    shared_memory->maxInitialPeersRange = kPeersPerHost;
+    udp->maxInitialPeersRange = kPeersPerHost;
+  }
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports = {shared_memory, udp};
+}
+
+}  // namespace
+
+Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSettings& settings) {
+  std::shared_ptr<Participant> self(new Participant(settings));
+  dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
+  qos.name(settings.enclave);
+  std::string user_data = "enclave=" + settings.enclave + ";";
+  user_data.push_back('\0');
+  qos.user_data().data_vec({user_data.begin(), user_data.end()});
+  set_discovery(settings, qos);
+  set_transports(settings, qos);
+
+  self->participant_ =
+      dds::DomainParticipantFactory::get_instance()->create_participant(settings.domain_id, qos);
+  if (self->participant_ == nullptr) {
+    return fail(Outcome::kInternal, "Fast DDS cannot make a participant on domain " + std::to_string(settings.domain_id) +
+                                        "; is a network interface up, and /dev/shm writable?");
+  }
+  self->publisher_ = self->participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
+  self->subscriber_ = self->participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);
+  if (self->publisher_ == nullptr || self->subscriber_ == nullptr) {
+    return fail(Outcome::kInternal, "Fast DDS cannot make a publisher and a subscriber");
+  }
+  if (auto opened = self->open_graph(); !opened) return tl::unexpected(opened.error());
+  return self;
+}
+
+Participant::~Participant() {
+  if (participant_ == nullptr) return;
+  participant_->delete_contained_entities();
+  dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+}
+
+Expected<dds::Topic*> Participant::acquire_topic(const std::string& name, const std::string& dds_type) {
+  std::lock_guard lock(mutex_);
+  SharedTopic& shared = topics_[name];
+  if (shared.topic != nullptr) {
+    if (shared.dds_type != dds_type) {
+      return fail(Outcome::kInvalidRequest, "topic " + name + " has the type " + shared.dds_type + " already, not " + dds_type);
+    }
+    ++shared.users;
+    return shared.topic;
+  }
+  dds::TypeSupport type(new MessageType(dds_type));
+  if (participant_->find_type(dds_type).empty()) type.register_type(participant_);
+  shared.topic = participant_->create_topic(name, dds_type, dds::TOPIC_QOS_DEFAULT);
+  if (shared.topic == nullptr) {
+    topics_.erase(name);
+    return fail(Outcome::kInternal, "Fast DDS cannot make the topic " + name + " of type " + dds_type);
+  }
+  shared.dds_type = dds_type;
+  shared.users = 1;
+  return shared.topic;
+}
+
+void Participant::release_topic(const std::string& name) {
+  std::lock_guard lock(mutex_);
+  const auto found = topics_.find(name);
+  if (found == topics_.end() || --found->second.users > 0) return;
+  participant_->delete_topic(found->second.topic);
+  topics_.erase(found);
+}
+
+Expected<void> Participant::open_graph() {
+  graph_ = std::make_unique<Graph>(to_gid(participant_->guid()));
+  auto topic = acquire_topic(kGraphTopic, idl::dds_type_name(kGraphType));
+  if (!topic) return tl::unexpected(topic.error());
+  const std::string user_data = endpoint_user_data(settings_.distro, idl::find_type(kGraphType)->hash);
+  graph_writer_ = publisher_->create_datawriter(*topic, writer_qos(Qos::latched(), user_data));
+  if (graph_writer_ == nullptr) return fail(Outcome::kInternal, "Fast DDS cannot write ros_discovery_info");
+  return {};
+}
+
+void Participant::publish_graph() {
+  // Called with mutex_ held, so that the last message written is the newest.
+  const std::vector<std::uint8_t> payload = graph_->encode(settings_.distro);
+  Outgoing out;
+  out.payload = payload;
+  graph_writer_->write(&out);
+}
+
+void Participant::add_node(const std::string& node_namespace, const std::string& name) {
+  std::lock_guard lock(mutex_);
+  graph_->add_node(node_namespace, name);
+  publish_graph();
+}
+
+void Participant::remove_node(const std::string& full_name) {
+  std::lock_guard lock(mutex_);
+  graph_->remove_node(full_name);
+  publish_graph();
+}
+
+void Participant::add_endpoint(const std::string& node_full_name, const Gid& gid, bool is_writer) {
+  std::lock_guard lock(mutex_);
+  if (graph_->add(node_full_name, gid, is_writer)) publish_graph();
+}
+
+void Participant::remove_endpoint(const Gid& gid) {
+  std::lock_guard lock(mutex_);
+  if (graph_->remove(gid)) publish_graph();
+}
+
+Graph Participant::graph() const {
+  std::lock_guard lock(mutex_);
+  return *graph_;
+}
+
+}  // namespace goalnet::ros::detail
+
+namespace goalnet::ros {
+
+Context::Context(std::shared_ptr<detail::Participant> participant) : participant_(std::move(participant)) {}
+Context::~Context() = default;
+
+Expected<std::unique_ptr<Context>> Context::create(const ContextOptions& options) {
+  auto settings = detail::read_settings(options);
+  if (!settings) return tl::unexpected(settings.error());
+  auto participant = detail::Participant::create(*settings);
+  if (!participant) return tl::unexpected(participant.error());
+  return std::unique_ptr<Context>(new Context(std::move(*participant)));
+}
+
+int Context::domain_id() const { return participant_->settings().domain_id; }
+Distro Context::distro() const { return participant_->settings().distro; }
+const std::string& Context::enclave() const { return participant_->settings().enclave; }
+
+}  // namespace goalnet::ros

@@ -1,0 +1,90 @@
+// The DDS participant behind a Context: transports, types, topics and the ROS graph.
+#pragma once
+
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "components/core/outcome.h"
+#include "components/ros/context.h"
+#include "components/ros/detail/graph.h"
+#include "components/ros/endpoint.h"
+
+namespace goalnet::ros::detail {
+
+// Where and how a participant talks, after options and environment.
+struct ParticipantSettings {
+  int domain_id = 0;
+  std::string enclave = "/";
+  Distro distro = Distro::kJazzy;
+  enum class Range { kOff, kLocalhost, kSubnet, kSystemDefault } range = Range::kSubnet;
+  bool process_only = false;
+  std::string static_peers;      // host;host
+  std::string discovery_server;  // host:port;host:port
+};
+
+// Options completed from the environment. kInvalidRequest names the variable that makes no sense.
+Expected<ParticipantSettings> read_settings(const ContextOptions& options);
+
+// Thread-safe.
+class Participant : public std::enable_shared_from_this<Participant> {
+ public:
+  static Expected<std::shared_ptr<Participant>> create(const ParticipantSettings& settings);
+  ~Participant();
+
+  const ParticipantSettings& settings() const { return settings_; }
+  eprosima::fastdds::dds::Publisher& publisher() { return *publisher_; }
+  eprosima::fastdds::dds::Subscriber& subscriber() { return *subscriber_; }
+
+  // A topic with its type registered; give it back with release_topic(). Fails if the topic has another type.
+  Expected<eprosima::fastdds::dds::Topic*> acquire_topic(const std::string& name, const std::string& dds_type);
+  void release_topic(const std::string& name);
+
+  // The ROS graph. Each call publishes ros_discovery_info again.
+  void add_node(const std::string& node_namespace, const std::string& name);
+  void remove_node(const std::string& full_name);
+  void add_endpoint(const std::string& node_full_name, const Gid& gid, bool is_writer);
+  void remove_endpoint(const Gid& gid);
+  Graph graph() const;
+
+ private:
+  explicit Participant(const ParticipantSettings& settings) : settings_(settings) {}
+  Expected<void> open_graph();
+  void publish_graph();
+
+  struct SharedTopic {
+    eprosima::fastdds::dds::Topic* topic = nullptr;
+    std::string dds_type;
+    int users = 0;
+  };
+
+  const ParticipantSettings settings_;
+  eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
+  eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
+  eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
+  mutable std::mutex mutex_;
+  std::map<std::string, SharedTopic> topics_;
+  std::unique_ptr<Graph> graph_;
+  eprosima::fastdds::dds::DataWriter* graph_writer_ = nullptr;
+  eprosima::fastdds::dds::DataReader* graph_reader_ = nullptr;
+};
+
+Gid to_gid(const eprosima::fastrtps::rtps::GUID_t& guid);
+eprosima::fastrtps::rtps::GUID_t to_guid(const Gid& gid);
+
+// "typehash=RIHS01_...;" in Jazzy, nothing in Humble.
+std::string endpoint_user_data(Distro distro, const std::string& type_hash);
+
+// QoS of ROS endpoints in Fast DDS terms; data sharing off.
+eprosima::fastdds::dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data);
+eprosima::fastdds::dds::DataReaderQos reader_qos(const Qos& qos, const std::string& user_data);
+
+}  // namespace goalnet::ros::detail

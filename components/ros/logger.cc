@@ -1,0 +1,89 @@
+#include "components/ros/logger.h"
+
+#include <fmt/format.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <mutex>
+
+namespace goalnet::ros {
+namespace {
+
+constexpr std::size_t kLongestText = 4096;  // [bytes]
+
+const char* label(LogLevel level) {
+  switch (level) {
+    case LogLevel::kDebug: return "DEBUG";
+    case LogLevel::kInfo: return "INFO";
+    case LogLevel::kWarn: return "WARN";
+    case LogLevel::kError: return "ERROR";
+    case LogLevel::kFatal: return "FATAL";
+  }
+  return "INFO";
+}
+
+spdlog::level::level_enum to_spdlog(LogLevel level) {
+  switch (level) {
+    case LogLevel::kDebug: return spdlog::level::debug;
+    case LogLevel::kInfo: return spdlog::level::info;
+    case LogLevel::kWarn: return spdlog::level::warn;
+    case LogLevel::kError: return spdlog::level::err;
+    case LogLevel::kFatal: return spdlog::level::critical;
+  }
+  return spdlog::level::info;
+}
+
+}  // namespace
+
+Expected<LogLevel> parse_log_level(std::string_view name) {
+  std::string lower(name);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (lower == "debug") return LogLevel::kDebug;
+  if (lower == "info") return LogLevel::kInfo;
+  if (lower == "warn" || lower == "warning") return LogLevel::kWarn;
+  if (lower == "error") return LogLevel::kError;
+  if (lower == "fatal") return LogLevel::kFatal;
+  return fail(Outcome::kInvalidRequest,
+              "unknown log level '" + std::string(name) + "'; known: debug, info, warn, error, fatal");
+}
+
+struct Logger::Impl {
+  spdlog::logger console{"goalnet", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
+  std::mutex mutex;
+  Sink sink;
+};
+
+Logger::Logger(std::string name, LogLevel level) : name_(std::move(name)), level_(level), impl_(std::make_unique<Impl>()) {
+  impl_->console.set_level(spdlog::level::trace);
+  impl_->console.set_pattern("%^%v%$");  // the line is made here, in ROS 2's form
+}
+
+Logger::~Logger() = default;
+
+void Logger::set_sink(Sink sink) {
+  std::lock_guard lock(impl_->mutex);
+  impl_->sink = std::move(sink);
+}
+
+void Logger::write(LogLevel level, const std::source_location& where, fmt::string_view format, fmt::format_args args) {
+  LogRecord record{level, name_, {}, where};
+  try {
+    record.text = fmt::vformat(format, args);
+  } catch (const std::exception& error) {
+    record.text = std::string("(message could not be formatted: ") + error.what() + ")";
+  }
+  if (record.text.size() > kLongestText) record.text.resize(kLongestText);
+  if (console_.load(std::memory_order_relaxed)) {
+    const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
+                        std::chrono::system_clock::now().time_since_epoch()).count();
+    impl_->console.log(to_spdlog(level), "[{}] [{}.{:09}] [{}]: {}", label(level), ns / 1'000'000'000,
+                       ns % 1'000'000'000, name_, record.text);
+  }
+  std::lock_guard lock(impl_->mutex);
+  if (impl_->sink) impl_->sink(record);
+}
+
+}  // namespace goalnet::ros

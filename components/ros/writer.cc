@@ -1,0 +1,105 @@
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
+#include <fastdds/rtps/common/WriteParams.h>
+
+#include "components/ros/detail/matches.h"
+#include "components/ros/detail/message_type.h"
+#include "components/ros/detail/participant.h"
+#include "components/ros/endpoint.h"
+
+namespace goalnet::ros {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using eprosima::fastrtps::types::ReturnCode_t;
+
+EndpointOptions EndpointOptions::of(const idl::TypeSupport& support, std::string dds_topic, const Qos& qos,
+                                    std::string node) {
+  return {std::move(dds_topic), support.dds_name, support.description->hash, &support, qos, std::move(node)};
+}
+
+struct Writer::Impl : dds::DataWriterListener {
+  std::shared_ptr<detail::Participant> participant;
+  EndpointOptions options;
+  dds::DataWriter* writer = nullptr;
+  Gid gid{};
+  detail::Matches matches;
+
+  void on_publication_matched(dds::DataWriter*, const dds::PublicationMatchedStatus& status) override {
+    matches.update(status.last_subscription_handle, status.current_count_change);
+  }
+};
+
+Writer::Writer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::Participant>& participant,
+                                                 const EndpointOptions& options) {
+  auto impl = std::make_unique<Impl>();
+  impl->participant = participant;
+  impl->options = options;
+  auto topic = participant->acquire_topic(options.dds_topic, options.dds_type);
+  if (!topic) return tl::unexpected(topic.error());
+  const auto qos =
+      detail::writer_qos(options.qos, detail::endpoint_user_data(participant->settings().distro, options.type_hash));
+  impl->writer =
+      participant->publisher().create_datawriter(*topic, qos, impl.get(), dds::StatusMask::publication_matched());
+  if (impl->writer == nullptr) {
+    participant->release_topic(options.dds_topic);
+    return fail(Outcome::kInternal, "Fast DDS cannot make a writer for " + options.dds_topic);
+  }
+  impl->gid = detail::to_gid(impl->writer->guid());
+  participant->add_endpoint(options.node, impl->gid, true);
+  return std::shared_ptr<Writer>(new Writer(std::move(impl)));
+}
+
+Writer::~Writer() {
+  impl_->writer->set_listener(nullptr);
+  impl_->participant->publisher().delete_datawriter(impl_->writer);
+  impl_->participant->release_topic(impl_->options.dds_topic);
+  impl_->participant->remove_endpoint(impl_->gid);
+}
+
+bool Writer::write(const void* message) {
+  detail::Outgoing out;
+  out.support = impl_->options.support;
+  out.message = message;
+  return impl_->writer->write(&out);
+}
+
+bool Writer::write_related(const void* message, const SampleId& related, SampleId* id) {
+  detail::Outgoing out;
+  out.support = impl_->options.support;
+  out.message = message;
+  rtps::WriteParams params;
+  params.related_sample_identity().writer_guid(detail::to_guid(related.writer));
+  params.related_sample_identity().sequence_number() =
+      rtps::SequenceNumber_t(static_cast<std::int32_t>(related.sequence >> 32), static_cast<std::uint32_t>(related.sequence));
+  if (!impl_->writer->write(&out, params)) return false;
+  if (id != nullptr) {
+    id->writer = detail::to_gid(params.sample_identity().writer_guid());
+    id->sequence = static_cast<std::int64_t>(params.sample_identity().sequence_number().to64long());
+  }
+  return true;
+}
+
+bool Writer::write_raw(std::span<const std::uint8_t> payload) {
+  detail::Outgoing out;
+  out.payload = payload;
+  return impl_->writer->write(&out);
+}
+
+std::size_t Writer::matched() const { return impl_->matches.count(); }
+bool Writer::matched_with(const Gid& reader) const { return impl_->matches.contains(reader); }
+bool Writer::wait_for_matched(std::size_t count, std::chrono::nanoseconds timeout) const {
+  return impl_->matches.wait_for(count, timeout);
+}
+
+bool Writer::wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(timeout);
+  const eprosima::fastrtps::Duration_t limit(static_cast<std::int32_t>(seconds.count()),
+                              static_cast<std::uint32_t>((timeout - seconds).count()));
+  return impl_->writer->wait_for_acknowledgments(limit) == ReturnCode_t::RETCODE_OK;
+}
+
+const Gid& Writer::gid() const { return impl_->gid; }
+
+}  // namespace goalnet::ros
