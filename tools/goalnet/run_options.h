@@ -21,6 +21,7 @@ struct RunOptions {
   std::uint32_t max_steps = 0;  // 0: the coordinator's parameter
   double max_sim_time = 0.0;    // [s] 0: the coordinator's parameter
   bool json = false;
+  bool verbose = false;         // components log to standard error
   std::vector<std::string> ros_arguments;  // after --ros-args
 };
 

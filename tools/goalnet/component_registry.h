@@ -1,0 +1,25 @@
+// The components of the loop by name: how each becomes a node. The only place that knows them all.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "components/core/outcome.h"
+#include "components/ros/node.h"
+
+namespace goalnet::tools {
+
+struct ComponentKind {
+  std::string_view name;     // of the component and of its node
+  std::string_view summary;
+  Expected<std::unique_ptr<ros::Component>> (*create)(ros::Node& node);
+};
+
+// In the order in which data flows.
+std::span<const ComponentKind> component_kinds();
+
+// nullptr if there is none of that name.
+const ComponentKind* find_component_kind(std::string_view name);
+
+}  // namespace goalnet::tools

@@ -1,0 +1,192 @@
+#include "tools/goalnet/lockstep_loop.h"
+
+#include <map>
+#include <utility>
+
+#include "components/coordinator/coordinator_node.h"
+#include "components/coordinator/status_message.h"
+#include "components/manipulation/manipulation_node.h"
+#include "components/messages/conversions.h"
+#include "components/ros/node.h"
+#include "executor/executor_node.h"
+#include "goalnet_msgs/msg/ActionStatus.h"
+#include "goalnet_msgs/msg/GoalPredicates.h"
+#include "goalnet_msgs/msg/InstructionStatus.h"
+#include "goalnet_msgs/msg/WorldState.h"
+#include "sim/simulator_node.h"
+#include "std_msgs/msg/String.h"
+#include "tools/goalnet/component_registry.h"
+
+namespace goalnet::tools {
+namespace {
+
+using goalnet_msgs::msg::ActionStatus;
+using goalnet_msgs::msg::GoalPredicates;
+using goalnet_msgs::msg::InstructionStatus;
+
+// What one node is told; people's own arguments come after and win.
+ros::Arguments node_arguments(const LoopOptions& options, std::string_view component) {
+  ros::Arguments arguments = options.arguments;
+  std::vector<ros::ParameterOverride> own;
+  const auto set = [&](const char* name, ros::ParameterValue value) {
+    own.push_back({std::string(component), name, std::move(value), "goalnet run"});
+  };
+  const bool simulator = component == "simulator", executor = component == "executor";
+  const bool manipulation = component == "manipulation", world_model = component == "world_model";
+  if (!simulator) set("use_sim_time", true);
+  if (simulator || executor) set("lockstep", true);
+  if (simulator || manipulation || world_model) set("scene", options.scene);
+  if (simulator || manipulation) set("seed", static_cast<std::int64_t>(options.seed));
+  if ((simulator || executor || manipulation || world_model) && !options.robot.empty()) set("robot", options.robot);
+  if (component == "goalnet" && !options.model.empty()) set("model", options.model);
+  if (component == "coordinator") {
+    if (options.max_steps > 0) set("max_steps", static_cast<std::int64_t>(options.max_steps));
+    if (options.instruction_timeout > 0.0) set("instruction_timeout", options.instruction_timeout);
+  }
+  own.insert(own.end(), arguments.parameters.begin(), arguments.parameters.end());
+  arguments.parameters = std::move(own);
+  arguments.console = options.console && arguments.console;
+  arguments.node_name.reset();  // one name cannot be for all
+  return arguments;
+}
+
+}  // namespace
+
+// Members are destroyed from the last to the first: components before their nodes, nodes before the context.
+struct LockstepLoop::Impl {
+  std::unique_ptr<ros::Context> context;
+  ros::EventLoop loop;
+  std::vector<std::unique_ptr<ros::Node>> nodes;
+  std::map<std::string, std::unique_ptr<ros::Component>, std::less<>> components;
+  LoopEvents events;
+  ros::Node* observer = nullptr;
+  std::shared_ptr<ros::Publisher<std_msgs::msg::String>> instruction;
+  std::shared_ptr<ros::Publisher<GoalPredicates>> goal;
+  std::shared_ptr<ros::Subscription<InstructionStatus>> status;
+  std::shared_ptr<ros::Subscription<ActionStatus>> action_status;
+  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state;
+  sim::SimulatorNode* simulator = nullptr;
+  coordinator::CoordinatorNode* coordinator = nullptr;
+  manipulation::ManipulationNode* manipulation = nullptr;
+  bool world_seen = false;
+
+  ~Impl() {
+    world_state.reset();
+    action_status.reset();
+    status.reset();
+    goal.reset();
+    instruction.reset();
+    components.clear();
+    nodes.clear();
+  }
+
+  Expected<ros::Node*> add_node(ros::NodeOptions options) {
+    auto node = ros::Node::create(*context, loop, std::move(options));
+    if (!node) return tl::unexpected<Error>(std::move(node.error()));
+    nodes.push_back(std::move(*node));
+    return nodes.back().get();
+  }
+  Expected<void> add_components(const LoopOptions& options);
+  Expected<void> add_observer(const LoopOptions& options);
+};
+
+Expected<void> LockstepLoop::Impl::add_components(const LoopOptions& options) {
+  for (const ComponentKind& kind : component_kinds()) {
+    ros::NodeOptions node_options;
+    node_options.name = kind.name;
+    node_options.arguments = node_arguments(options, kind.name);
+    auto node = add_node(std::move(node_options));
+    if (!node) return tl::unexpected<Error>(std::move(node.error()));
+    auto component = kind.create(**node);
+    if (!component) return tl::unexpected<Error>(std::move(component.error()));
+    components.emplace(kind.name, std::move(*component));
+  }
+  simulator = dynamic_cast<sim::SimulatorNode*>(components.at("simulator").get());
+  coordinator = dynamic_cast<coordinator::CoordinatorNode*>(components.at("coordinator").get());
+  manipulation = dynamic_cast<manipulation::ManipulationNode*>(components.at("manipulation").get());
+  auto* executor = dynamic_cast<executor::ExecutorNode*>(components.at("executor").get());
+  simulator->set_controller(executor->lockstep_hook());
+  return {};
+}
+
+Expected<void> LockstepLoop::Impl::add_observer(const LoopOptions& options) {
+  ros::NodeOptions node_options;
+  node_options.name = "goalnet_run";
+  node_options.arguments = node_arguments(options, "goalnet_run");
+  auto node = add_node(std::move(node_options));
+  if (!node) return tl::unexpected<Error>(std::move(node.error()));
+  observer = *node;
+  instruction = observer->advertise<std_msgs::msg::String>("instruction");
+  goal = observer->advertise<GoalPredicates>("goal");
+  // Latched topics keep one message for latecomers; we want to see every one.
+  const ros::Qos every = ros::Qos::latched().keep_last(1000);
+  status = observer->subscribe<InstructionStatus>("instruction_status", every, [this](const InstructionStatus& message) {
+    if (events.on_status) events.on_status(coordinator::from_message(message));
+  });
+  action_status = observer->subscribe<ActionStatus>("action_status", ros::Qos::standard(), [this](const ActionStatus& message) {
+    if (events.on_stage) events.on_stage(message.stage(), message.progress());
+  });
+  world_state = observer->subscribe<goalnet_msgs::msg::WorldState>(
+      "world_state", every, [this](const goalnet_msgs::msg::WorldState& message) {
+        const auto world = messages::from_message(message);
+        if (!world) return;
+        world_seen = true;
+        if (events.on_world) events.on_world(*world);
+      });
+  return {};
+}
+
+LockstepLoop::LockstepLoop(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LockstepLoop::~LockstepLoop() = default;
+
+Expected<std::unique_ptr<LockstepLoop>> LockstepLoop::create(const LoopOptions& options, LoopEvents events) {
+  auto impl = std::make_unique<Impl>();
+  ros::ContextOptions context_options;
+  context_options.process_only = options.process_only;
+  if (options.arguments.enclave) context_options.enclave = *options.arguments.enclave;
+  auto context = ros::Context::create(context_options);
+  if (!context) return tl::unexpected<Error>(std::move(context.error()));
+  impl->context = std::move(*context);
+  impl->events = std::move(events);
+  if (auto added = impl->add_components(options); !added) return tl::unexpected<Error>(std::move(added.error()));
+  if (auto added = impl->add_observer(options); !added) return tl::unexpected<Error>(std::move(added.error()));
+  return std::unique_ptr<LockstepLoop>(new LockstepLoop(std::move(impl)));
+}
+
+Expected<void> LockstepLoop::settle(double at_least, double limit) {
+  const double start = sim_time();
+  while (sim_time() - start < at_least || !impl_->world_seen) {
+    if (sim_time() - start > limit) {
+      return fail(Outcome::kWorldStale, "the world model has said nothing for " + std::to_string(limit) + " s");
+    }
+    step();
+  }
+  return {};
+}
+
+void LockstepLoop::instruct(const std::string& instruction) {
+  std_msgs::msg::String message;
+  message.data(instruction);
+  impl_->instruction->publish(message);
+}
+
+void LockstepLoop::pursue(const Goal& goal) {
+  GoalPredicates message;
+  message.header().stamp(impl_->observer->now());
+  messages::fill(message, goal);
+  impl_->goal->publish(message);
+}
+
+void LockstepLoop::cancel(const std::string& reason) { impl_->coordinator->cancel(reason); }
+
+void LockstepLoop::step() {
+  while (impl_->loop.run_pending()) {
+  }
+  impl_->simulator->tick();
+}
+
+double LockstepLoop::sim_time() const { return impl_->observer->now().seconds(); }
+
+void LockstepLoop::interrupt() { impl_->manipulation->interrupt(); }
+
+}  // namespace goalnet::tools

@@ -1,0 +1,21 @@
+// goalnet-robot: the commands of `goalnet` that bring DDS, Bullet and OMPL. People type `goalnet`; see command.h.
+#include "tools/bench/bench_command.h"
+#include "tools/goalnet/command.h"
+#include "tools/goalnet/component_command.h"
+#include "tools/goalnet/run_command.h"
+
+namespace goalnet::tools {
+namespace {
+
+constexpr Command kCommands[] = {
+    {"run", "let a simulated robot carry out an instruction", run_command},
+    {"component", "run one component as a process of its own, as a ROS 2 node", component_command},
+    {"bench", "measure speed", bench_command},
+};
+
+}  // namespace
+}  // namespace goalnet::tools
+
+int main(int argc, char** argv) {
+  return goalnet::tools::dispatch(goalnet::tools::kCommands, "usage: goalnet-robot COMMAND (use: goalnet COMMAND)\n", argc, argv);
+}

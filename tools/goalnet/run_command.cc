@@ -1,0 +1,138 @@
+#include "tools/goalnet/run_command.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+#include "components/ros/arguments.h"
+#include "tools/goalnet/lockstep_loop.h"
+#include "tools/goalnet/run_options.h"
+#include "tools/goalnet/run_record.h"
+#include "tools/goalnet/stop_signal.h"
+#include "tools/goalnet/trace_printer.h"
+
+namespace goalnet::tools {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+// After Ctrl-C: the robot gets this long to come to rest before we leave all the same. A whole second is promised.
+constexpr std::chrono::milliseconds kPatience{800};
+
+double since(SteadyClock::time_point start) { return std::chrono::duration<double>(SteadyClock::now() - start).count(); }
+
+RunLabel label_of(const RunOptions& options) {
+  RunLabel label{options.instruction, options.scene, options.seed};
+  if (!options.goal.empty()) {
+    for (const Predicate& fact : options.goal.positive) label.instruction += (label.instruction.empty() ? "" : " ") + to_string(fact);
+    for (const Predicate& fact : options.goal.negative) {
+      label.instruction += (label.instruction.empty() ? "not " : " not ") + to_string(fact);
+    }
+  }
+  return label;
+}
+
+// Something was wrong before anything moved.
+int refuse(const RunOptions& options, const Error& error) {
+  if (options.json) std::cout << to_json(label_of(options), error).dump() << "\n";
+  std::cerr << "goalnet run: " << error.message << "\n";
+  return static_cast<int>(error.outcome);
+}
+
+// One run from the instruction to its end.
+class Run {
+ public:
+  explicit Run(const RunOptions& options)
+      : options_(options), label_(label_of(options)), printer_(std::cout, style_for(STDOUT_FILENO)) {}
+
+  Expected<void> prepare(const ros::Arguments& arguments) {
+    LoopOptions loop_options;
+    loop_options.scene = options_.scene;
+    loop_options.robot = options_.robot;
+    loop_options.model = options_.model;
+    loop_options.seed = options_.seed;
+    loop_options.max_steps = options_.max_steps;
+    loop_options.instruction_timeout = options_.max_sim_time;
+    loop_options.console = options_.verbose;
+    loop_options.arguments = arguments;
+    LoopEvents events;
+    events.on_status = [this](const coordinator::Report& report) {
+      record_.on_status(report);
+      if (!options_.json) printer_.on_status(report, sim_elapsed(), since(start_));
+    };
+    events.on_world = [this](const WorldState& world) { record_.on_world(world); };
+    events.on_stage = [this](const std::string& stage, double progress) {
+      if (!options_.json) printer_.on_stage(stage, progress, sim_elapsed(), since(start_));
+    };
+    auto loop = LockstepLoop::create(loop_options, std::move(events));
+    if (!loop) return tl::unexpected<Error>(std::move(loop.error()));
+    loop_ = std::move(*loop);
+    return loop_->settle();
+  }
+
+  int carry_out() {
+    StopSignal stop([this] { loop_->interrupt(); });
+    if (!options_.json) printer_.begin(label_, "");
+    start_ = SteadyClock::now();
+    sim_start_ = loop_->sim_time();
+    if (options_.goal.empty()) {
+      loop_->instruct(options_.instruction);
+    } else {
+      loop_->pursue(options_.goal);
+    }
+    bool cancelled = false;
+    while (!record_.last().finished && stop.age() < kPatience) {
+      if (stop.requested() && !cancelled) {
+        loop_->cancel("interrupted");
+        cancelled = true;
+      }
+      loop_->step();
+    }
+    coordinator::Report last = record_.last();
+    if (!last.finished) {
+      last.outcome = Outcome::kCancelled;
+      last.message = "interrupted; the robot had not come to rest";
+      record_.on_status(last);
+    }
+    tell(last);
+    return static_cast<int>(last.outcome);
+  }
+
+ private:
+  double sim_elapsed() const { return loop_ ? loop_->sim_time() - sim_start_ : 0.0; }
+
+  void tell(const coordinator::Report& last) {
+    const double sim_time = sim_elapsed(), wall_time = since(start_);
+    if (options_.json) {
+      std::cout << to_json(label_, record_, sim_time, wall_time).dump() << "\n" << std::flush;
+    } else {
+      printer_.end(last, difference(record_.facts(), record_.facts_before()),
+                   difference(record_.facts_before(), record_.facts()), sim_time, wall_time);
+    }
+  }
+
+  const RunOptions& options_;
+  RunLabel label_;
+  TracePrinter printer_;
+  RunRecord record_;
+  SteadyClock::time_point start_ = SteadyClock::now();
+  double sim_start_ = 0.0;
+  std::unique_ptr<LockstepLoop> loop_;
+};
+
+}  // namespace
+
+int run_command(int argc, char** argv) {
+  const ParsedRun parsed = parse_run_options(argc, argv);
+  if (parsed.help_shown) return 0;
+  if (parsed.refused) return refuse(parsed.options, *parsed.refused);
+  const auto arguments = ros::parse_arguments(parsed.options.ros_arguments);
+  if (!arguments) return refuse(parsed.options, arguments.error());
+  Run run(parsed.options);
+  if (const auto prepared = run.prepare(*arguments); !prepared) return refuse(parsed.options, prepared.error());
+  return run.carry_out();
+}
+
+}  // namespace goalnet::tools
