@@ -14,7 +14,8 @@ inline btMatrix3x3 to_bullet(const Eigen::Matrix3d& m) {
 }
 
 inline btTransform to_bullet(const Eigen::Isometry3d& pose) {
-  return btTransform(to_bullet(Eigen::Matrix3d(pose.linear())), to_bullet(Eigen::Vector3d(pose.translation())));
+  return btTransform(to_bullet(Eigen::Matrix3d(pose.linear())),
+                     to_bullet(Eigen::Vector3d(pose.translation())));
 }
 
 inline Eigen::Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }

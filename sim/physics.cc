@@ -2,7 +2,8 @@
 
 #include "sim/bullet_convert.h"
 
-// A global of Bullet: seconds of rest until a body sleeps. The default of 2 s keeps put-down things awake for long.
+// A global of Bullet: seconds of rest until a body sleeps. The default of 2 s keeps put-down things awake for
+// long.
 extern btScalar gDeactivationTime;
 
 namespace goalnet::sim {

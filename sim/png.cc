@@ -49,12 +49,14 @@ std::string zlib_stored(const std::string& data) {
 }  // namespace
 
 Expected<void> write_png(const Image& image, const std::string& path) {
-  if (image.width <= 0 || image.height <= 0) return fail(Outcome::kInvalidRequest, path + ": the image is empty; nothing written");
+  if (image.width <= 0 || image.height <= 0)
+    return fail(Outcome::kInvalidRequest, path + ": the image is empty; nothing written");
   std::string rows;
   const std::size_t stride = static_cast<std::size_t>(image.width) * 3;
   for (int y = 0; y < image.height; ++y) {
     rows.push_back('\0');  // no filter
-    rows.append(reinterpret_cast<const char*>(image.rgb.data()) + static_cast<std::size_t>(y) * stride, stride);
+    rows.append(reinterpret_cast<const char*>(image.rgb.data()) + static_cast<std::size_t>(y) * stride,
+                stride);
   }
   std::string header;
   append_u32(header, static_cast<std::uint32_t>(image.width));
@@ -66,7 +68,8 @@ Expected<void> write_png(const Image& image, const std::string& path) {
   append_chunk(file, "IEND", "");
   std::ofstream stream(path, std::ios::binary);
   stream.write(file.data(), static_cast<std::streamsize>(file.size()));
-  if (!stream) return fail(Outcome::kInvalidRequest, path + ": cannot be written; check the folder and its permissions");
+  if (!stream)
+    return fail(Outcome::kInvalidRequest, path + ": cannot be written; check the folder and its permissions");
   return {};
 }
 

@@ -10,10 +10,10 @@
 namespace goalnet::sim {
 
 struct Camera {
-  Eigen::Vector3d eye = {-2.6, 0.0, 2.6};     // [m] map frame
-  Eigen::Vector3d target = {0.6, 0.0, 0.7};   // [m] looks here
-  double vertical_view = 0.9;                 // [rad] opening angle
-  int width = 640;                            // [pixels]
+  Eigen::Vector3d eye = {-2.6, 0.0, 2.6};    // [m] map frame
+  Eigen::Vector3d target = {0.6, 0.0, 0.7};  // [m] looks here
+  double vertical_view = 0.9;                // [rad] opening angle
+  int width = 640;                           // [pixels]
   int height = 480;
 };
 
