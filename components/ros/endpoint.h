@@ -19,6 +19,9 @@ namespace goalnet::ros {
 
 using Gid = std::array<std::uint8_t, 16>;  // names a DDS endpoint or participant everywhere
 
+// The sequence number that a request carries in its related identity: none.
+inline constexpr std::int64_t kUnknownSequence = -(std::int64_t{1} << 32);
+
 // Names one sample; in a reply, the request that it answers.
 struct SampleId {
   Gid writer{};
@@ -50,8 +53,10 @@ class Participant;
 // Thread-safe.
 class Writer {
  public:
+  // `on_matched` is called from a DDS thread whenever a reader came or went.
   static Expected<std::shared_ptr<Writer>> create(const std::shared_ptr<detail::Participant>& participant,
-                                                  const EndpointOptions& options);
+                                                  const EndpointOptions& options,
+                                                  std::function<void()> on_matched = {});
   ~Writer();
   Writer(const Writer&) = delete;
 

@@ -21,7 +21,8 @@ struct Qos {
   static Qos tf() { return {.depth = 100}; }
   static Qos tf_static() { return latched(); }
   static Qos rosout() { return {.transient_local = true, .depth = 1000, .lifespan = std::chrono::seconds(10)}; }
-  static Qos services() { return {}; }
+  // On the wire as every ROS 2 service; a deeper history than rmw's 10, so that bursts lose nothing.
+  static Qos services() { return {.depth = 1000}; }
   static Qos parameters() { return {.depth = 1000}; }
 
   Qos keep_last(std::uint32_t n) const {

@@ -23,19 +23,22 @@ struct Writer::Impl : dds::DataWriterListener {
   dds::DataWriter* writer = nullptr;
   Gid gid{};
   detail::Matches matches;
+  std::function<void()> on_matched;
 
   void on_publication_matched(dds::DataWriter*, const dds::PublicationMatchedStatus& status) override {
     matches.update(status.last_subscription_handle, status.current_count_change);
+    if (on_matched) on_matched();
   }
 };
 
 Writer::Writer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::Participant>& participant,
-                                                 const EndpointOptions& options) {
+                                                 const EndpointOptions& options, std::function<void()> on_matched) {
   auto impl = std::make_unique<Impl>();
   impl->participant = participant;
   impl->options = options;
+  impl->on_matched = std::move(on_matched);
   auto topic = participant->acquire_topic(options.dds_topic, options.dds_type);
   if (!topic) return tl::unexpected(topic.error());
   const auto qos =

@@ -21,7 +21,7 @@ void fill(DdsQos& out, const Qos& qos, const std::string& user_data) {
   auto& limits = out.resource_limits();
   limits.max_samples = std::max(limits.max_samples, out.history().depth);
   limits.max_samples_per_instance = std::max(limits.max_samples_per_instance, out.history().depth);
-  limits.allocated_samples = std::min<std::int32_t>(limits.allocated_samples, out.history().depth);
+  limits.allocated_samples = std::min<std::int32_t>(10, out.history().depth);
   if (qos.deadline.count() > 0) out.deadline().period = to_duration(qos.deadline);
   out.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   out.data_sharing().off();

@@ -9,7 +9,7 @@
 #include "sensor_msgs/msg/JointState.h"
 #include "std_msgs/msg/Int32.h"
 #include "std_msgs/msg/String.h"
-#include "tests/unit/ros/domains.h"
+#include "tests/unit/ros/support.h"
 
 namespace goalnet::ros {
 namespace {
@@ -22,19 +22,6 @@ Int32 number(int value) {
   Int32 message;
   message.data(value);
   return message;
-}
-
-NodeOptions plain(std::string name) {
-  NodeOptions options;
-  options.name = std::move(name);
-  options.arguments.console = false;
-  return options;
-}
-
-std::unique_ptr<Context> make_context(int domain) {
-  auto context = Context::create({.domain_id = domain});
-  EXPECT_TRUE(context) << context.error().message;
-  return std::move(*context);
 }
 
 TEST(PubSub, OneProcessDeliversSynchronouslyAndInOrderOfPublication) {

@@ -1,0 +1,108 @@
+// Services as rmw_fastrtps does them, without the types: requests on rq/NAMERequest, replies on rr/NAMEReply,
+// joined by the identity of the request's sample. service.h adds the types.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "components/ros/clock.h"
+#include "components/ros/endpoint.h"
+#include "components/ros/event_loop.h"
+#include "components/ros/timer.h"
+
+namespace goalnet::ros {
+
+struct ServiceTypes {
+  const idl::TypeSupport* request;
+  const idl::TypeSupport* response;
+};
+
+// Everything but creation happens in the event loop's thread.
+class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase> {
+ public:
+  // Gets a request (own it) and the identity that its reply must carry.
+  using Handler = std::function<void(std::shared_ptr<void> request, const SampleId& reply_to)>;
+  using DropReport = std::function<void(const std::string& why)>;
+
+  ServiceServerBase(EventLoop& loop, Handler handler, DropReport report);
+  Expected<void> open(const std::shared_ptr<detail::Participant>& participant, const std::string& service,
+                      const std::string& node, ServiceTypes types, const Qos& qos);
+
+  // Answers. A client whose reply reader is not matched yet gets its answer once it is, within two seconds.
+  // `response` is kept until then.
+  void reply(const SampleId& reply_to, std::shared_ptr<const void> response);
+
+  // As the reader calls it; public for tests.
+  void on_request(std::shared_ptr<void> request, const SampleInfo& info);
+
+ private:
+  struct Entry {
+    std::shared_ptr<void> request;
+    SampleId reply_to;
+  };
+  struct Waiting {
+    SampleId reply_to;
+    std::shared_ptr<const void> response;
+    std::chrono::steady_clock::time_point until;
+  };
+  void on_dropped(const std::string& why);
+  void handle_one();
+  void flush_waiting();
+
+  EventLoop& loop_;
+  Handler handler_;
+  DropReport report_;
+  std::mutex mutex_;  // guards requests_ and dropped_
+  std::deque<Entry> requests_;
+  std::uint64_t dropped_ = 0;
+  std::deque<Waiting> waiting_;
+  std::shared_ptr<Writer> replies_;
+  std::shared_ptr<Reader> requests_reader_;
+};
+
+// Used from the event loop's thread.
+class ServiceClientBase : public std::enable_shared_from_this<ServiceClientBase> {
+ public:
+  // Gets the response (own it), or an error: kTimeLimit where no answer came.
+  using Callback = std::function<void(Expected<std::shared_ptr<void>>)>;
+
+  explicit ServiceClientBase(EventLoop& loop);
+  ~ServiceClientBase();
+  Expected<void> open(const std::shared_ptr<detail::Participant>& participant, const std::string& service,
+                      const std::string& node, ServiceTypes types, const Qos& qos);
+
+  // Sends; the callback comes exactly once, later, from the loop.
+  void call(const void* request, std::chrono::nanoseconds timeout, Callback callback);
+  // Forgets all calls that wait: their callbacks never come.
+  void cancel_all() { pending_.clear(); }
+
+  bool ready() const;
+  bool wait_for_service(std::chrono::nanoseconds timeout) const;
+  EventLoop& loop() { return loop_; }
+
+ private:
+  struct Pending {
+    Callback callback;
+    std::chrono::steady_clock::time_point until;
+  };
+  void on_reply(std::shared_ptr<void> response, const SampleInfo& info);
+  void finish(std::int64_t sequence, std::shared_ptr<void> response);
+  void drop_late();
+
+  EventLoop& loop_;
+  Clock wall_;
+  std::string service_;
+  std::map<std::int64_t, Pending> pending_;  // by sequence number of the request
+  std::shared_ptr<Timer> watch_;             // active while anything is pending
+  std::shared_ptr<Writer> requests_;
+  std::shared_ptr<Reader> replies_;
+};
+
+}  // namespace goalnet::ros

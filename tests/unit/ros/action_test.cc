@@ -1,0 +1,201 @@
+// Actions: states, the four rules of cancelling, results, feedback, over real DDS.
+#include "components/ros/action_server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "components/ros/action_client.h"
+#include "example_interfaces/action/Fibonacci_action.h"
+#include "tests/unit/ros/support.h"
+
+namespace goalnet::ros {
+namespace {
+
+using namespace std::chrono_literals;
+using example_interfaces::action::Fibonacci;
+
+GoalId id(std::uint8_t n) {
+  GoalId id{};
+  id[0] = n;
+  return id;
+}
+
+std::vector<int> named(const ActionGoals::Selection& selection) {
+  std::vector<int> names;
+  for (const auto& goal : selection.goals) names.push_back(goal.id[0]);
+  return names;
+}
+
+TEST(ActionGoals, CancelFollowsTheFourRules) {
+  ActionGoals goals(1s, 10);
+  for (std::uint8_t n = 1; n <= 5; ++n) {
+    ASSERT_TRUE(goals.accept(id(n), Time(n * 100)));
+    ASSERT_TRUE(goals.set(id(n), GoalState::kExecuting, Time(n * 100)));
+  }
+  ASSERT_TRUE(goals.set(id(2), GoalState::kSucceeded, Time(600)));
+  using testing::ElementsAre;
+  EXPECT_THAT(named(goals.select_for_cancel({}, Time(0))), ElementsAre(1, 3, 4, 5)) << "all";
+  EXPECT_THAT(named(goals.select_for_cancel({}, Time(300))), ElementsAre(1, 3)) << "accepted at or before";
+  EXPECT_THAT(named(goals.select_for_cancel(id(4), Time(0))), ElementsAre(4)) << "that one";
+  EXPECT_THAT(named(goals.select_for_cancel(id(4), Time(300))), ElementsAre(1, 3, 4)) << "that one and those before";
+  EXPECT_EQ(goals.select_for_cancel(id(9), Time(0)).code, CancelCode::kUnknownGoal);
+  EXPECT_EQ(goals.select_for_cancel(id(2), Time(0)).code, CancelCode::kTerminated);
+  EXPECT_EQ(goals.select_for_cancel({}, Time(50)).code, CancelCode::kNone);
+}
+
+TEST(ActionGoals, OnlyAllowedChanges) {
+  EXPECT_TRUE(allowed(GoalState::kAccepted, GoalState::kExecuting));
+  EXPECT_TRUE(allowed(GoalState::kExecuting, GoalState::kCanceling));
+  EXPECT_TRUE(allowed(GoalState::kCanceling, GoalState::kCanceled));
+  EXPECT_TRUE(allowed(GoalState::kCanceling, GoalState::kSucceeded));
+  EXPECT_FALSE(allowed(GoalState::kExecuting, GoalState::kCanceled)) << "must pass through CANCELING";
+  EXPECT_FALSE(allowed(GoalState::kSucceeded, GoalState::kAborted));
+  EXPECT_FALSE(allowed(GoalState::kCanceling, GoalState::kExecuting));
+}
+
+TEST(ActionGoals, CapacityAndExpiry) {
+  ActionGoals goals(10s, 2);
+  ASSERT_TRUE(goals.accept(id(1), Time(0)));
+  EXPECT_FALSE(goals.accept(id(1), Time(0))) << "taken";
+  ASSERT_TRUE(goals.accept(id(2), Time(0)));
+  EXPECT_FALSE(goals.accept(id(3), Time(0))) << "full of unfinished goals";
+  goals.set(id(1), GoalState::kExecuting, Time(0));
+  goals.set(id(1), GoalState::kAborted, Time(5));
+  EXPECT_TRUE(goals.accept(id(3), Time(0))) << "the finished one makes room";
+  EXPECT_FALSE(goals.state(id(1)));
+  goals.set(id(2), GoalState::kExecuting, Time(0));
+  goals.set(id(2), GoalState::kSucceeded, Time(1'000'000'000));
+  EXPECT_TRUE(goals.expire(Time(10'000'000'000)).empty());
+  EXPECT_THAT(goals.expire(Time(11'000'000'000)), testing::ElementsAre(id(2)));
+}
+
+// Works on one goal at a time; the order is how many loop rounds it takes.
+struct Worker {
+  Worker(Node& node, const std::string& name)
+      : server(node, name,
+               {.on_goal = [](const GoalId&, const Fibonacci::Goal& goal) {
+                  return goal.order() < 0 ? GoalResponse::kReject : GoalResponse::kExecute;
+                },
+                .on_accepted = [this](auto goal) { goals.push_back(std::move(goal)); },
+                .on_cancel = [](auto&) { return true; }}),
+        timer(node.create_timer(1ms, [this] { work(); })) {}
+
+  void work() {
+    for (auto& goal : goals) {
+      Fibonacci::Result result;
+      result.sequence_(progress[goal->id()]);
+      if (goal->canceling()) {
+        goal->canceled(result);
+        continue;
+      }
+      auto& numbers = progress[goal->id()];
+      numbers.push_back(static_cast<int>(numbers.size()));
+      Fibonacci::Feedback feedback;
+      feedback.sequence_(numbers);
+      goal->publish_feedback(feedback);
+      result.sequence_(numbers);
+      if (static_cast<int>(numbers.size()) >= goal->goal().order()) goal->succeed(result);
+    }
+    std::erase_if(goals, [](const auto& goal) { return !goal->active(); });
+  }
+
+  std::map<GoalId, std::vector<int>> progress;
+  std::vector<std::shared_ptr<GoalHandle<Fibonacci>>> goals;
+  ActionServer<Fibonacci> server;
+  std::shared_ptr<Timer> timer;
+};
+
+Fibonacci::Goal order(int n) {
+  Fibonacci::Goal goal;
+  goal.order(n);
+  return goal;
+}
+
+TEST(Action, FeedbackResultRejectionAndCancel) {
+  auto here = make_context(kActionDomain);
+  auto there = make_context(kActionDomain);
+  EventLoop loop;
+  Node server_node(*here, loop, plain("server"));
+  Node client_node(*there, loop, plain("client"));
+  Worker worker(server_node, "fib");
+  ActionClient<Fibonacci> client(client_node, "fib");
+  ASSERT_TRUE(client.wait_for_server(2s));
+
+  std::size_t feedbacks = 0;
+  std::optional<std::pair<GoalState, Fibonacci::Result>> done;
+  client.send(order(5), {.on_response = [](bool accepted) { EXPECT_TRUE(accepted); },
+                         .on_feedback = [&](const Fibonacci::Feedback&) { ++feedbacks; },
+                         .on_result = [&](auto result) { done = *result; }});
+  ASSERT_TRUE(loop.run_for(2s, [&] { return done.has_value(); }));
+  EXPECT_EQ(done->first, GoalState::kSucceeded);
+  EXPECT_THAT(done->second.sequence_(), testing::ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_GE(feedbacks, 4u);
+
+  std::optional<bool> accepted;
+  client.send(order(-1), {.on_response = [&](bool yes) { accepted = yes; }, .on_feedback = {}, .on_result = {}});
+  ASSERT_TRUE(loop.run_for(2s, [&] { return accepted.has_value(); }));
+  EXPECT_FALSE(*accepted);
+
+  done.reset();
+  std::optional<CancelCode> code;
+  const GoalId goal = client.send(order(1'000'000), {.on_response = {}, .on_feedback = {}, .on_result = [&](auto result) { done = *result; }});
+  loop.run_for(20ms);
+  client.cancel(goal, [&](Expected<CancelCode> answer) { code = *answer; });
+  ASSERT_TRUE(loop.run_for(2s, [&] { return done.has_value() && code.has_value(); }));
+  EXPECT_EQ(*code, CancelCode::kNone);
+  EXPECT_EQ(done->first, GoalState::kCanceled);
+  client.cancel(goal, [&](Expected<CancelCode> answer) { code = *answer; });
+  ASSERT_TRUE(loop.run_for(2s, [&] { return *code != CancelCode::kNone; }));
+  EXPECT_EQ(*code, CancelCode::kTerminated);
+}
+
+TEST(Action, TwoHundredGoalsWithRandomCancels) {
+  auto here = make_context(kActionDomain);
+  auto there = make_context(kActionDomain);
+  EventLoop loop;
+  Node server_node(*here, loop, plain("server"));
+  Node client_node(*there, loop, plain("client"));
+  Worker worker(server_node, "fib");
+  ActionClient<Fibonacci> client(client_node, "fib");
+  ASSERT_TRUE(client.wait_for_server(2s));
+  std::mt19937 random(7);
+  std::map<GoalState, int> ends;
+  int results = 0;
+  int duplicates = 0;
+  for (int i = 0; i < 200; ++i) {
+    auto count = std::make_shared<int>(0);
+    const GoalId goal = client.send(order(1 + static_cast<int>(random() % 30)), {.on_response = {}, .on_feedback = {}, .on_result = [&, count](auto result) {
+                                      ASSERT_TRUE(result);
+                                      ++results;
+                                      if (++*count > 1) ++duplicates;
+                                      ++ends[result->first];
+                                    }});
+    loop.run_for(std::chrono::microseconds(random() % 3000));
+    if (random() % 2 == 0) client.cancel(goal);
+  }
+  EXPECT_TRUE(loop.run_for(5s, [&] { return results == 200; })) << results;
+  EXPECT_EQ(duplicates, 0);
+  EXPECT_EQ(ends[GoalState::kSucceeded] + ends[GoalState::kCanceled], 200);
+  EXPECT_GT(ends[GoalState::kCanceled], 20);
+  EXPECT_GT(ends[GoalState::kSucceeded], 20);
+}
+
+TEST(Action, ADroppedHandleAbortsItsGoal) {
+  auto context = make_context(kActionDomain);
+  EventLoop loop;
+  Node node(*context, loop, plain("node"));
+  ActionServer<Fibonacci> server(node, "fib",
+                                 {.on_goal = [](const GoalId&, const auto&) { return GoalResponse::kDefer; },
+                                  .on_accepted = [](auto) {},
+                                  .on_cancel = {}});
+  ActionClient<Fibonacci> client(node, "fib");
+  std::optional<GoalState> end;
+  client.send(order(1), {.on_response = {}, .on_feedback = {}, .on_result = [&](auto result) { end = result->first; }});
+  ASSERT_TRUE(loop.run_for(1s, [&] { return end.has_value(); }));
+  EXPECT_EQ(*end, GoalState::kAborted);
+}
+
+}  // namespace
+}  // namespace goalnet::ros

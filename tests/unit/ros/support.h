@@ -1,0 +1,37 @@
+// What the tests of components/ros share. Every test program has a DDS domain of its own, so that tests can run
+// at the same time.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "components/ros/node.h"
+
+namespace goalnet::ros {
+
+// Differs between users' parallel runs of the suite as well.
+inline int test_domain(int base) { return base + static_cast<int>(getpid() % 4) * 12; }
+
+inline const int kPubSubDomain = test_domain(120);
+inline const int kNodeDomain = test_domain(121);
+inline const int kServiceDomain = test_domain(122);
+inline const int kActionDomain = test_domain(123);
+inline const int kLifecycleDomain = test_domain(124);
+inline const int kGraphDomain = test_domain(125);
+inline const int kBagDomain = test_domain(126);
+
+// A node that logs to /rosout only.
+inline NodeOptions plain(std::string name) {
+  NodeOptions options;
+  options.name = std::move(name);
+  options.arguments.console = false;
+  return options;
+}
+
+inline std::unique_ptr<Context> make_context(int domain, Distro distro = Distro::kJazzy) {
+  auto context = Context::create({.domain_id = domain, .distro = distro});
+  if (!context) throw std::runtime_error(context.error().message);
+  return std::move(*context);
+}
+
+}  // namespace goalnet::ros
