@@ -108,18 +108,33 @@ Expected<std::uint64_t> Coordinator::accept(Request request, TimeNs now) {
 }
 
 void Coordinator::cancel(TimeNs now, const std::string& reason) {
-  const auto waiting = std::exchange(queue_, {});
-  for (const auto& [id, request] : waiting) {
-    Report dropped;
-    dropped.id = id;
-    dropped.instruction = request.instruction;
-    dropped.stage = Stage::kFinished;
-    dropped.finished = true;
-    dropped.outcome = Outcome::kCancelled;
-    dropped.message = reason;
-    port_.report(dropped);
-  }
+  for (const auto& [id, request] : std::exchange(queue_, {})) drop(id, request, reason);
   if (task_ && report_.stage != Stage::kStopping) stop(Outcome::kCancelled, reason, now);
+}
+
+bool Coordinator::cancel_one(std::uint64_t id, TimeNs now, const std::string& reason) {
+  if (task_ && task_->id == id) {
+    if (report_.stage != Stage::kStopping) stop(Outcome::kCancelled, reason, now);
+    return true;
+  }
+  const auto waiting = std::find_if(queue_.begin(), queue_.end(), [id](const auto& entry) { return entry.first == id; });
+  if (waiting == queue_.end()) return false;
+  const Request request = std::move(waiting->second);
+  queue_.erase(waiting);
+  drop(id, request, reason);
+  return true;
+}
+
+void Coordinator::drop(std::uint64_t id, const Request& request, const std::string& reason) {
+  Report dropped;
+  dropped.id = id;
+  dropped.instruction = request.instruction;
+  dropped.stage = Stage::kFinished;
+  dropped.finished = true;
+  dropped.outcome = Outcome::kCancelled;
+  dropped.message = reason;
+  port_.report(dropped);
+  if (task_) port_.report(report_);  // latched: see refuse()
 }
 
 void Coordinator::on_world(WorldState world, TimeNs stamp, TimeNs now) {

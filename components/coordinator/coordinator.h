@@ -77,6 +77,9 @@ class Coordinator {
   // Stops the running instruction with kCancelled (nothing if none runs) and forgets waiting ones.
   void cancel(TimeNs now, const std::string& reason = "cancelled on request");
 
+  // The same for one instruction, running or waiting. False if it is neither.
+  bool cancel_one(std::uint64_t id, TimeNs now, const std::string& reason = "cancelled on request");
+
   // `stamp` is when the world was observed.
   void on_world(WorldState world, TimeNs stamp, TimeNs now);
   void on_goal(const GoalAnswer& answer, TimeNs now);
@@ -132,6 +135,7 @@ class Coordinator {
   void begin(Request request, std::uint64_t id, TimeNs now);
   void enter(Stage stage, TimeNs now);
   void publish();
+  void drop(std::uint64_t id, const Request& request, const std::string& reason);
   bool world_is_new_enough() const;
   void advance(TimeNs now);  // does what the newest world state allows
 

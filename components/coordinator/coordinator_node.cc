@@ -50,6 +50,7 @@ void CoordinatorNode::open_topics() {
   plan_ = subscribe("plan", standard, &CoordinatorNode::on_plan);
   action_status_ = subscribe("action_status", standard.keep_last(100), &CoordinatorNode::on_action_status);
   world_state_ = subscribe("world_state", ros::Qos::latched(), &CoordinatorNode::on_world_state);
+  action_ = std::make_unique<FollowInstruction>(node_, coordinator_);
   timer_ = node_.create_timer(kTick, [this] { coordinator_.tick(now()); });
 }
 
@@ -105,6 +106,7 @@ void CoordinatorNode::send_order(const ActionOrder& order, std::uint8_t command)
 
 void CoordinatorNode::report(const Report& report) {
   status_->publish(to_message(report, now()));
+  if (action_) action_->on_report(report);
   if (!report.finished || report.id == finished_id_) return;
   finished_id_ = report.id;
   const std::string outcome(goalnet::to_string(report.outcome));

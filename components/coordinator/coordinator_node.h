@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/coordinator/coordinator.h"
+#include "components/coordinator/follow_instruction.h"
 #include "components/coordinator/planner_action_model.h"
 #include "components/ros/node.h"
 #include "goalnet_msgs/msg/ActionRequest.h"
@@ -69,6 +70,7 @@ class CoordinatorNode : public ros::Component, private Port {
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ActionStatus>> action_status_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state_;
   std::shared_ptr<ros::Timer> timer_;
+  std::unique_ptr<FollowInstruction> action_;
 };
 
 }  // namespace goalnet::coordinator

@@ -100,6 +100,21 @@ TEST_F(Outcomes, QueuedInstructionsRunInOrder) {
   EXPECT_EQ(play->report().stage, Stage::kInferring);
 }
 
+TEST_F(Outcomes, AWaitingInstructionCanBeCancelledAlone) {
+  CoordinatorParams params;
+  params.when_busy = WhenBusy::kQueue;
+  start(params);
+  const std::uint64_t second = play->coordinator.instruct("second", 0, play->now).value();
+  const std::uint64_t third = play->coordinator.instruct("third", 0, play->now).value();
+  EXPECT_TRUE(play->coordinator.cancel_one(second, play->now));
+  EXPECT_FALSE(play->coordinator.cancel_one(second, play->now)) << "it is gone";
+  EXPECT_EQ(play->id(), 1u) << "the running one goes on";
+  play->infer({});
+  EXPECT_EQ(play->id(), third);
+  EXPECT_TRUE(play->coordinator.cancel_one(third, play->now));
+  expect_end(Outcome::kCancelled, "cancelled");
+}
+
 TEST_F(Outcomes, TimeLimitOfAnAction) {
   start_acting();
   for (int i = 0; i < 200 && !play->report().finished; ++i) {

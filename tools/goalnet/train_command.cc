@@ -1,0 +1,103 @@
+#include "tools/goalnet/train_command.h"
+
+#include <chrono>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "tools/goalnet/train_kinds.h"
+
+namespace goalnet::tools {
+namespace {
+
+// One line that rewrites itself on a terminal; on a pipe, a line every ten seconds.
+class ProgressLine {
+ public:
+  void show(double done, const std::string& measured) {
+    const auto now = std::chrono::steady_clock::now();
+    if (done < 1 && now - shown_ < (terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(10))) return;
+    shown_ = now;
+    if (first_share_ < 0) first_share_ = done;
+    const double spent = std::chrono::duration<double>(now - begin_).count();
+    const double gained = done - first_share_;  // after a resume the first report starts far from 0
+    std::string left = "--:--";
+    if (gained > 0) {
+      const int seconds = static_cast<int>(spent / gained * (1 - done));
+      left = std::to_string(seconds / 60) + ":" + (seconds % 60 < 10 ? "0" : "") + std::to_string(seconds % 60);
+    }
+    std::fprintf(stderr, "%s%3d %%  %s left  %s%s", terminal_ ? "\r" : "", static_cast<int>(done * 100), left.c_str(),
+                 measured.c_str(), terminal_ ? "\x1b[K" : "\n");
+    std::fflush(stderr);
+  }
+  void finish() const {
+    if (terminal_) std::fputc('\n', stderr);
+  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  double first_share_ = -1;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), shown_{};
+};
+
+std::string typed(int argc, char** argv) {
+  std::string text;
+  for (int i = 0; i < argc; ++i) text += (i > 0 ? " " : "") + std::string(argv[i]);
+  return text;
+}
+
+}  // namespace
+
+int train_command(int argc, char** argv) {
+  TrainRequest request;
+  std::string data, out, model(train_kinds()[0].name);
+  std::vector<std::string> settings;
+  bool json = false;
+  CLI::App app{"Learns a model from a folder of demonstrations.", "goalnet train"};
+  app.add_option("DIR", data, "folder of demonstrations (*.json)")->required();
+  app.add_option("-o,--out", out, "the model file to write")->required();
+  std::string kinds;
+  for (const TrainKind& kind : train_kinds()) kinds += "\n  " + std::string(kind.name) + ": " + std::string(kind.summary);
+  app.add_option("--model", model, "what to train:" + kinds);
+  app.add_option("--seed", request.seed, "fixes everything that is random");
+  app.add_option("--set", settings, "a setting of the training, NAME=VALUE (repeatable)");
+  app.add_flag("--fresh", request.fresh, "start anew even if an interrupted training left a checkpoint");
+  app.add_flag("--json", json, "print the result as one JSON object");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, std::cerr, std::cerr) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
+  }
+  const auto failed = [](const Error& error) {
+    std::fprintf(stderr, "goalnet train: %s\n", error.message.c_str());
+    return static_cast<int>(error.outcome);
+  };
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) return failed({Outcome::kInvalidRequest, "--set " + setting + " should be NAME=VALUE"});
+    request.settings[setting.substr(0, equals)] = setting.substr(equals + 1);
+  }
+  const TrainKind* kind = nullptr;
+  for (const TrainKind& known : train_kinds()) {
+    if (known.name == model) kind = &known;
+  }
+  if (kind == nullptr) return failed({Outcome::kInvalidRequest, "there is no model \"" + model + "\" in this build; there are:" + kinds});
+  request.data = data;
+  request.out = out;
+  request.command = typed(argc, argv);
+  ProgressLine line;
+  request.progress = [&line](double done, const std::string& measured) { line.show(done, measured); };
+  const auto trained = kind->train(request);
+  line.finish();
+  if (!trained) return failed(trained.error());
+  if (json) {
+    std::printf("%s\n", nlohmann::json({{"model", out}, {"kind", model}, {"seed", request.seed}, {"wall_time_s", line.seconds()}}).dump().c_str());
+  } else {
+    std::fprintf(stderr, "wrote %s after %.0f s\n", out.c_str(), line.seconds());
+  }
+  return 0;
+}
+
+}  // namespace goalnet::tools

@@ -1,0 +1,44 @@
+#include "tools/goalnet/train_network_kind.h"
+
+#include <cstdio>
+
+#include "components/goalnet/training/planner_feeding.h"
+#include "components/goalnet/training/settings.h"
+#include "components/goalnet/training/trainer.h"
+
+namespace goalnet::tools {
+
+using namespace inference::training;
+
+Expected<void> train_network_kind(const TrainRequest& request) {
+  const auto demonstrations = inference::read_demonstrations(request.data);
+  if (!demonstrations) return tl::unexpected(demonstrations.error());
+  const auto folder = request.data.parent_path();
+  const auto vectors = read_word_vectors({folder / "conceptnet.json", folder / "vocab.json"});
+  if (!vectors) return tl::unexpected(vectors.error());
+  if (vectors->empty()) {
+    std::fprintf(stderr, "goalnet train: no word vectors (conceptnet.json) beside %s: words are learned from the sentences alone\n",
+                 request.data.c_str());
+  }
+  TrainOptions options;
+  options.seed = request.seed;
+  options.command = request.command;
+  options.constants = (folder / "constants.json").string();
+  options.checkpoint = request.out.string() + ".checkpoint";
+  if (auto applied = apply_settings(request.settings, options); !applied) return applied;
+  if (request.fresh) std::filesystem::remove(options.checkpoint);
+  const auto report = [&](const EpochReport& epoch) {
+    char text[120];
+    std::snprintf(text, sizeof text, "epoch %d of %d: loss %.3f, whole goals right %.1f %%", epoch.epoch + 1, epoch.epochs, epoch.loss,
+                  100 * epoch.accuracy);
+    if (request.progress) request.progress(static_cast<double>(epoch.epoch + 1) / epoch.epochs, text);
+  };
+  const auto trained = train_network(*demonstrations, {}, *vectors, options, report);
+  if (!trained) return tl::unexpected(trained.error());
+  if (auto written = trained->file.write(request.out.string()); !written) return written;
+  std::error_code ignored;
+  std::filesystem::remove(options.checkpoint, ignored);
+  return {};
+}
+
+}  // namespace goalnet::tools
