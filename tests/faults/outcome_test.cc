@@ -1,0 +1,93 @@
+// How a run can end, seen from outside: exit code and JSON for each outcome that the whole loop can produce.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/process.h"
+
+namespace goalnet {
+namespace {
+
+using testing::HasSubstr;
+using testing_support::Process;
+using testing_support::ProcessResult;
+
+constexpr int kDomain = 82;
+
+struct Ended {
+  int exit_code = -1;
+  nlohmann::json json;
+};
+
+Ended run(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all = {"run", "--json"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const ProcessResult result = testing_support::run_goalnet(all, kDomain, {}, std::chrono::seconds(100));
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1) << "one object, one line";
+  return {result.exit_code, nlohmann::json::parse(result.out, nullptr, false)};
+}
+
+void expect_end(const Ended& ended, int code, const std::string& outcome, const std::string& part) {
+  EXPECT_EQ(ended.exit_code, code) << ended.json.dump(1);
+  ASSERT_TRUE(ended.json.is_object());
+  EXPECT_EQ(ended.json["outcome"], outcome);
+  EXPECT_THAT(ended.json["message"].get<std::string>(), HasSubstr(part));
+}
+
+TEST(OutcomeOfARun, NotUnderstood) {
+  const Ended ended = run({"flurb the gribble with wibble"});
+  expect_end(ended, 10, "not_understood", "");
+  EXPECT_FALSE(ended.json["message"].get<std::string>().empty());
+  EXPECT_TRUE(ended.json["steps"].empty());
+}
+
+TEST(OutcomeOfARun, UnknownObject) {
+  expect_end(run({"--goal", "(On Mug_9 Sink)"}), 11, "unknown_object", "Mug_9");
+}
+
+TEST(OutcomeOfARun, NoPlan) {
+  const Ended ended = run({"--goal", "(Grasping Robot Mug_1)", "--goal", "(On Mug_1 Sink)"});
+  expect_end(ended, 12, "no_plan", "");
+  EXPECT_FALSE(ended.json["message"].get<std::string>().empty());
+}
+
+TEST(OutcomeOfARun, TimeLimit) {
+  expect_end(run({"--goal", "(state Microwave DoorIsOpen)", "--max-sim-time", "1"}), 20, "time_limit",
+             "too long");
+}
+
+TEST(OutcomeOfARun, StepLimit) {
+  expect_end(run({"--max-steps", "1", "open the microwave"}), 21, "step_limit", "");
+}
+
+// Starts a run and waits until the robot is at its first action.
+struct Moving {
+  Moving()
+      : process({testing_support::program("goalnet"), "run", "--goal", "(In Mug_1 Microwave)"},
+                {{"ROS_DOMAIN_ID", std::to_string(kDomain)}}) {
+    EXPECT_TRUE(process.wait_for_text("✓ moveto", std::chrono::seconds(60)));
+  }
+  Process process;
+};
+
+TEST(Interruption, CtrlCStopsWithinASecondAndLeavesNothing) {
+  const auto before = testing_support::fast_dds_shared_memory();
+  for (const int number : {SIGINT, SIGTERM}) {
+    Moving moving;
+    const auto asked = std::chrono::steady_clock::now();
+    moving.process.signal(number);
+    const ProcessResult result = moving.process.wait(std::chrono::seconds(100));
+    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count();
+    EXPECT_EQ(result.exit_code, 22) << result.out << result.err;
+    EXPECT_LT(took, 1.0);
+    EXPECT_THAT(result.out, HasSubstr("cancelled: interrupted"));
+    EXPECT_THAT(result.out, testing::Not(HasSubstr("had not come to rest")))
+        << "the robot stopped before we left";
+  }
+  EXPECT_EQ(testing_support::fast_dds_shared_memory(), before);
+}
+
+}  // namespace
+}  // namespace goalnet
