@@ -99,9 +99,13 @@ void ExecutorNode::on_joint_states(const sensor_msgs::msg::JointState& message) 
 
 void ExecutorNode::report() {
   ExecutorStatus status = executor_->status();
+  // The topic keeps one message: a refusal gets a period of its own, or the next report would push it out.
+  if (std::exchange(refused_lately_, false)) return;
   if (reported_ && status.rejections > reported_->rejections) {
     refuse(status.rejected_stamp_ns, status.rejected_outcome, status.rejected_message);
     reported_->rejections = status.rejections;
+    refused_lately_ = false;  // the next report is a period away already
+    return;
   }
   if (reported_ && !busy(status.state) && tells_the_same(status, *reported_)) return;
   if (!reported_ || status.state != reported_->state) {
@@ -115,6 +119,7 @@ void ExecutorNode::report() {
 
 void ExecutorNode::refuse(std::int64_t stamp_ns, Outcome outcome, const std::string& message) {
   node_.log().warn("{}", message);
+  refused_lately_ = true;
   ExecutorStatus answer = executor_->status();
   answer.trajectory_stamp_ns = stamp_ns;
   answer.progress = 0.0;

@@ -64,6 +64,7 @@ class ExecutorNode : public ros::Component {
   std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joint_states_;
   std::shared_ptr<ros::Timer> timer_;
   std::optional<ExecutorStatus> reported_;
+  bool refused_lately_ = false;
   std::uint64_t bad_joint_states_ = 0;
   std::unique_ptr<WallClockLoop> loop_;  // last: its threads end first
 };
