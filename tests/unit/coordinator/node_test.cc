@@ -7,6 +7,7 @@
 #include "components/coordinator/coordinator_node.h"
 #include "components/coordinator/status_message.h"
 #include "components/messages/conversions.h"
+#include "components/ros/action_client.h"
 #include "tests/unit/coordinator/toy_world.h"
 
 namespace goalnet::coordinator {
@@ -59,14 +60,14 @@ class NodeTest : public testing::Test {
                                              answer.complete(request.step() > 0);
                                              goals->publish(answer);
                                            });
-    goal_heard = others->subscribe<GoalPredicates>(
-        "/goal_predicates", ros::Qos::standard(), [this](const GoalPredicates& wanted) {
-          Plan plan;
-          plan.instruction_id(wanted.instruction_id());
-          plan.step(wanted.step());
-          plan.actions(messages::to_message(std::vector<Action>{{"moveto", {"Mug_1"}}, {"grasp", {"Mug_1"}}}));
-          if (!wanted.complete()) plans->publish(plan);
-        });
+    goal_heard = others->subscribe<
+        GoalPredicates>("/goal_predicates", ros::Qos::standard(), [this](const GoalPredicates& wanted) {
+      Plan plan;
+      plan.instruction_id(wanted.instruction_id());
+      plan.step(wanted.step());
+      plan.actions(messages::to_message(std::vector<Action>{{"moveto", {"Mug_1"}}, {"grasp", {"Mug_1"}}}));
+      if (!wanted.complete()) plans->publish(plan);
+    });
     actions = others->subscribe<ActionRequest>(
         "/action_request", ros::Qos::standard(), [this](const ActionRequest& request) {
           const std::string name = request.action().name();
@@ -167,6 +168,75 @@ TEST_F(NodeTest, CancelEndsTheInstruction) {
   ASSERT_TRUE(wait_for_end());
   EXPECT_EQ(reports.back().outcome, Outcome::kCancelled);
   EXPECT_EQ(reports.back().message, "enough");
+}
+
+using FollowAction = goalnet_msgs::action::FollowInstruction;
+
+// A client of follow_instruction and what it was told.
+struct Follower {
+  Follower(ros::Node& node) : client(node, "/follow_instruction") {}
+  ros::GoalId send(const std::string& text) {
+    FollowAction::Goal wanted;
+    wanted.instruction(text);
+    return client.send(
+        wanted, {.on_response = [this](bool yes) { accepted = yes; },
+                 .on_feedback = [this](const FollowAction::Feedback& f) { stages.push_back(f.stage()); },
+                 .on_result =
+                     [this](const auto& ended) {
+                       state = ended->first;
+                       result = ended->second;
+                     }});
+  }
+  ros::ActionClient<FollowAction> client;
+  std::optional<bool> accepted;
+  std::vector<std::string> stages;
+  std::optional<ros::GoalState> state;
+  FollowAction::Result result;
+};
+
+TEST_F(NodeTest, TheActionGivesFeedbackAndAResult) {
+  start();
+  const auto coordinator = CoordinatorNode::create(*node).value();
+  play_the_others();
+  Follower follower(*others);
+  follower.send("take the mug");
+  ASSERT_TRUE(loop.run_for(std::chrono::seconds(5), [&] { return follower.state.has_value(); }));
+  EXPECT_EQ(*follower.state, ros::GoalState::kSucceeded) << follower.result.message();
+  EXPECT_EQ(follower.result.outcome(), 0);
+  EXPECT_EQ(follower.result.actions().size(), 2u);
+  EXPECT_THAT(follower.stages, testing::IsSupersetOf({"inferring", "planning", "acting"}));
+}
+
+TEST_F(NodeTest, TheActionCanBeCancelled) {
+  start();
+  const auto coordinator = CoordinatorNode::create(*node).value();
+  play_the_others();
+  hands_are_stuck = true;
+  Follower follower(*others);
+  const ros::GoalId id = follower.send("take the mug");
+  ASSERT_TRUE(loop.run_for(std::chrono::seconds(5), [this] { return !carried_out.empty(); }));
+  hands_are_stuck = false;
+  follower.client.cancel(id);
+  ASSERT_TRUE(loop.run_for(std::chrono::seconds(5), [&] { return follower.state.has_value(); }));
+  EXPECT_EQ(*follower.state, ros::GoalState::kCanceled);
+  EXPECT_EQ(follower.result.outcome(), 22);
+}
+
+TEST_F(NodeTest, TheActionTakesOneGoalAtATimeAndNoNonsense) {
+  start();
+  const auto coordinator = CoordinatorNode::create(*node).value();
+  play_the_others();
+  Follower nonsense(*others);
+  nonsense.send("");
+  ASSERT_TRUE(loop.run_for(std::chrono::seconds(5), [&] { return nonsense.accepted.has_value(); }));
+  EXPECT_FALSE(*nonsense.accepted);
+  hands_are_stuck = true;
+  Follower first(*others), second(*others);
+  first.send("take the mug");
+  ASSERT_TRUE(loop.run_for(std::chrono::seconds(5), [this] { return !carried_out.empty(); }));
+  second.send("take the mug");
+  ASSERT_TRUE(loop.run_for(std::chrono::seconds(5), [&] { return second.accepted.has_value(); }));
+  EXPECT_FALSE(*second.accepted) << "refused while the first runs";
 }
 
 TEST_F(NodeTest, LatecomersSeeHowTheLastInstructionEnded) {
