@@ -1,0 +1,199 @@
+#include "components/manipulation/action_runner.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace goalnet::manipulation {
+namespace {
+
+constexpr std::int64_t kMillisecond = 1'000'000;
+// The executor settles for half a second at most after a trajectory; silence well beyond that is a fault.
+constexpr std::int64_t kExecutorSlack = 4'000 * kMillisecond;
+
+// Adds the wall time of a scope to a counter, for reports.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
+  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  double& total_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace
+
+ActionRunner::ActionRunner(Workbench& bench) : bench_(bench) {}
+ActionRunner::~ActionRunner() = default;
+
+Expected<void> ActionRunner::start(const Action& action) {
+  if (running()) return fail(Outcome::kBusy, "still at '" + to_string(action_) + "'");
+  auto skill = make_skill(bench_, action);
+  if (!skill) return tl::unexpected<Error>(skill.error());
+  skill_ = std::move(*skill);
+  action_ = action;
+  attempt_ = 0;
+  planning_time_ = 0;
+  cancelled_ = false;
+  first_failure_.clear();
+  phases_.clear();
+  phase_ = 0;
+  stage_ = "planning";
+  state_ = State::kPlanning;
+  return {};
+}
+
+void ActionRunner::cancel() {
+  if (running()) cancelled_ = true;
+}
+
+double ActionRunner::progress() const {
+  if (state_ == State::kFinished) return 1.0;
+  if (phases_.empty()) return 0.0;
+  return static_cast<double>(phase_) / static_cast<double>(phases_.size());
+}
+
+ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor::ExecutorStatus& status) {
+  Orders orders;
+  if (!running()) return orders;
+  now_ns_ = world.time_ns;
+  if (cancelled_ && state_ != State::kStopping) {
+    if (state_ == State::kMoving) {
+      orders.stop = true;
+      state_ = State::kStopping;
+    } else {
+      finish(Outcome::kCancelled, "'" + to_string(action_) + "' was cancelled");
+      return orders;
+    }
+  }
+  if (state_ == State::kStopping) {
+    if (status.state == executor::ExecutorState::kIdle || status.state == executor::ExecutorState::kFault) {
+      bench_.forget_command();
+      finish(Outcome::kCancelled, "'" + to_string(action_) + "' was cancelled; the robot stands");
+    }
+    return orders;
+  }
+  if (state_ == State::kMoving) watch_motion(status);
+  if (state_ == State::kSettling && now_ns_ >= settled_at_ns_) {
+    bench_.observe(world);
+    settle();
+  }
+  // An attempt that fails in planning is followed by the next at once: the robot stands still meanwhile.
+  while ((state_ == State::kPlanning || state_ == State::kNextPhase) && !orders.send) {
+    if (bench_.stopped()) {
+      finish(Outcome::kCancelled, "'" + to_string(action_) + "' was cancelled");
+      return orders;
+    }
+    bench_.observe(world);
+    if (state_ == State::kPlanning) {
+      plan_attempt();
+    } else {
+      next_phase(orders);
+    }
+  }
+  return orders;
+}
+
+void ActionRunner::plan_attempt() {
+  const Stopwatch watch(planning_time_);
+  stage_ = "planning";
+  auto phases = skill_->attempt(bench_, attempt_);
+  if (!phases) {
+    const auto& error = phases.error();
+    return finish(error.outcome,
+                  first_failure_.empty() ? error.message : first_failure_ + "; then: " + error.message);
+  }
+  phases_ = std::move(*phases);
+  phase_ = 0;
+  state_ = State::kNextPhase;
+}
+
+void ActionRunner::next_phase(Orders& orders) {
+  if (phase_ >= phases_.size()) return finish(Outcome::kDone, "");
+  const Phase& phase = phases_[phase_];
+  stage_ = phase.stage;
+  Expected<JointTrajectory> motion;
+  {
+    const Stopwatch watch(planning_time_);
+    motion = phase.plan(bench_);
+  }
+  if (!motion) {
+    if (motion.error().outcome == Outcome::kCancelled)
+      return finish(Outcome::kCancelled, motion.error().message);
+    if (!phase.optional) return attempt_failed(motion.error());
+    motion = JointTrajectory{};
+  }
+  sent_ = std::move(*motion);
+  if (sent_.points.empty()) {
+    settled_at_ns_ = now_ns_;
+    if (phase.check) {
+      settle();
+    } else {
+      ++phase_;
+    }
+    return;
+  }
+  last_stamp_ = std::max(last_stamp_ + 1, now_ns_);
+  sent_.stamp_ns = last_stamp_;
+  sent_at_ns_ = now_ns_;
+  orders.send = sent_;
+  state_ = State::kMoving;
+}
+
+void ActionRunner::watch_motion(const executor::ExecutorStatus& status) {
+  using executor::ExecutorState;
+  if (status.rejected_stamp_ns == sent_.stamp_ns) {
+    bench_.forget_command();
+    return attempt_failed(
+        {Outcome::kMotionFailed, "the executor refused the motion: " + status.rejected_message});
+  }
+  if (status.trajectory_stamp_ns != sent_.stamp_ns || status.state == ExecutorState::kExecuting ||
+      status.state == ExecutorState::kStopping) {
+    if (now_ns_ - sent_at_ns_ > sent_.points.back().time_ns + kExecutorSlack) {
+      bench_.forget_command();
+      finish(Outcome::kComponentLost, "the executor did not report the end of a motion; is it running?");
+    }
+    return;
+  }
+  if (status.outcome == Outcome::kEmergencyStop) {
+    bench_.forget_command();
+    return finish(status.outcome, status.message);
+  }
+  if (status.outcome != Outcome::kDone) {
+    bench_.forget_command();
+    return attempt_failed({Outcome::kMotionFailed, "the motion was not completed: " + status.message});
+  }
+  bench_.set_command(sent_.joints, sent_.points.back().position);
+  const Phase& phase = phases_[phase_];
+  const double wait = phase.settle + (phase.check ? bench_.params().settle_time : 0.0);
+  settled_at_ns_ = now_ns_ + static_cast<std::int64_t>(wait * 1e9);
+  state_ = State::kSettling;
+}
+
+void ActionRunner::settle() {
+  const Phase& phase = phases_[phase_];
+  if (phase.check) {
+    if (auto ok = phase.check(bench_); !ok) return attempt_failed(ok.error());
+  }
+  ++phase_;
+  state_ = State::kNextPhase;
+}
+
+void ActionRunner::attempt_failed(const Error& why) {
+  if (first_failure_.empty()) first_failure_ = why.message + " (while: " + stage_ + ")";
+  if (++attempt_ >= bench_.params().attempts) {
+    return finish(Outcome::kMotionFailed,
+                  "'" + to_string(action_) + "' failed in " + std::to_string(attempt_) +
+                      " ways; the first: " + first_failure_ + "; the last: " + why.message);
+  }
+  state_ = State::kPlanning;
+}
+
+void ActionRunner::finish(Outcome outcome, const std::string& message) {
+  result_ = Error{outcome, message};
+  stage_ = "finished";
+  state_ = State::kFinished;
+  skill_.reset();
+}
+
+}  // namespace goalnet::manipulation

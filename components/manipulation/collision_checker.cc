@@ -1,0 +1,255 @@
+#include "components/manipulation/collision_checker.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace goalnet::manipulation {
+namespace {
+
+constexpr double kAnyDepth = -std::numeric_limits<double>::infinity();
+// Distance that two parts of the robot must keep. Links are modelled slightly fat already.
+constexpr double kSelfMargin = 0.005;
+
+const char* const kFloor = "floor";
+
+bool contains(const PartSet& set, int part) { return std::find(set.begin(), set.end(), part) != set.end(); }
+
+}  // namespace
+
+void Tolerances::allow(int part, int body, double distance) {
+  auto [at, fresh] = limits_.try_emplace({part, body}, distance);
+  if (!fresh) at->second = std::min(at->second, distance);
+}
+
+void Tolerances::allow_all(const PartSet& parts, int body) {
+  for (const int part : parts) allow(part, body, kAnyDepth);
+}
+
+double Tolerances::limit(int part, int body, double margin) const {
+  const auto found = limits_.find({part, body});
+  return found == limits_.end() ? margin : std::min(margin, found->second);
+}
+
+CollisionChecker::CollisionChecker(const robot::RobotModel& model, const robot::Kinematics& kinematics,
+                                   const scene::Scene& scene)
+    : model_(model), kinematics_(kinematics), scene_(scene) {
+  const auto add = [&](const std::string& name, std::vector<Piece> pieces, const Pose& pose) {
+    body_index_.emplace(name, static_cast<int>(bodies_.size()));
+    bodies_.push_back({name, PlacedShape(std::move(pieces)), true});
+    bodies_.back().shape.place(pose);
+  };
+  for (const auto& fixture : scene.fixtures) {
+    add(fixture.name, pieces_of(fixture.shapes), fixture.pose);
+    for (const auto& part : fixture.parts) add(part.name, pieces_of(part.shapes), Pose::Identity());
+  }
+  for (const auto& object : scene.objects)
+    add(object.name, pieces_of(scene.model_of(object).shapes), Pose::Identity());
+  for (const auto& m : scene.models) object_shapes_.emplace(m.name, PlacedShape(pieces_of(m.shapes)));
+  scene::Shape floor;
+  floor.size = Eigen::Vector3d(60, 60, 1);
+  floor.pose.translation().z() = -0.5;
+  add(kFloor, pieces_of({floor}), Pose::Identity());
+  floor_ = body(kFloor);
+
+  for (std::size_t i = 0; i < kinematics.link_count(); ++i) {
+    parts_.emplace_back(pieces_of(*model.urdf->getLink(kinematics.link_name(i))));
+  }
+  for (const auto& arm : model.arms) {
+    tool_links_.push_back(kinematics.link_index(arm.tool_link));
+    PartSet moving, hand;
+    for (std::size_t i = 0; i < kinematics.link_count(); ++i) {
+      bool below_arm = false, below_last = false;
+      for (int l = static_cast<int>(i); l > 0; l = kinematics.parent_of(static_cast<std::size_t>(l))) {
+        const int joint = kinematics.joint_of(static_cast<std::size_t>(l));
+        if (joint < 0) continue;
+        const auto& name = model.joints[static_cast<std::size_t>(joint)].name;
+        below_arm |= std::find(arm.joints.begin(), arm.joints.end(), name) != arm.joints.end();
+        below_last |= name == arm.joints.back();
+      }
+      if (below_arm && !parts_[i].empty()) moving.push_back(static_cast<int>(i));
+      if (below_last && !parts_[i].empty()) hand.push_back(static_cast<int>(i));
+    }
+    moving.push_back(static_cast<int>(kinematics.link_count() + arm_parts_.size()));
+    hand.push_back(moving.back());
+    arm_parts_.push_back(moving);
+    hand_parts_.push_back(hand);
+    parts_.emplace_back();
+    held_.emplace_back();
+  }
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const int part = static_cast<int>(i);
+    const bool attachment = i >= kinematics.link_count();
+    if (parts_[i].empty() && !attachment) continue;
+    all_parts_.push_back(part);
+    bool of_arm = false;
+    for (const auto& set : arm_parts_) of_arm |= contains(set, part);
+    if (!of_arm) trunk_parts_.push_back(part);
+  }
+  find_self_pairs();
+}
+
+void CollisionChecker::find_self_pairs() {
+  // Neighbours always touch; so do pairs that touch at home. Everything else is checked.
+  place_robot(model_.home());
+  const int links = static_cast<int>(kinematics_.link_count());
+  const auto near_relatives = [&](int a, int b) {
+    int steps = 0;
+    for (int l = b; l >= 0 && steps < 4; l = kinematics_.parent_of(static_cast<std::size_t>(l)), ++steps) {
+      if (l == a) return steps <= 2;
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i < all_parts_.size(); ++i) {
+    for (std::size_t j = i + 1; j < all_parts_.size(); ++j) {
+      const int a = all_parts_[i], b = all_parts_[j];
+      const auto same_hand = [&](const PartSet& hand) { return contains(hand, a) && contains(hand, b); };
+      if (std::any_of(hand_parts_.begin(), hand_parts_.end(), same_hand)) continue;
+      if (contains(trunk_parts_, a) && contains(trunk_parts_, b)) continue;
+      if (a < links && b < links) {
+        if (near_relatives(a, b) || near_relatives(b, a)) continue;
+        if (nearer_than(parts_[static_cast<std::size_t>(a)], parts_[static_cast<std::size_t>(b)],
+                        kSelfMargin))
+          continue;
+      }
+      self_pairs_.emplace_back(a, b);
+    }
+  }
+}
+
+void CollisionChecker::update(const WorldView& world, const std::vector<std::optional<HeldObject>>& held) {
+  for (const auto& fixture : scene_.fixtures) {
+    for (const auto& part : fixture.parts) {
+      bodies_[static_cast<std::size_t>(body_index_.at(part.name))].shape.place(
+          scene::part_pose(fixture, part, [&](const std::string& joint) { return world.joint(joint); }));
+    }
+  }
+  for (const auto& object : scene_.objects) {
+    auto& b = bodies_[static_cast<std::size_t>(body_index_.at(object.name))];
+    const Pose* pose = world.object(object.name);
+    b.present = pose != nullptr;
+    if (pose) b.shape.place(*pose);
+  }
+  held_ = held;
+  held_.resize(model_.arms.size());
+  for (std::size_t arm = 0; arm < held_.size(); ++arm) {
+    auto& shape = parts_[kinematics_.link_count() + arm];
+    shape = PlacedShape();
+    if (!held_[arm]) continue;
+    const auto* m = scene_.find_model_of(held_[arm]->name);
+    if (m == nullptr) continue;
+    shape = object_shapes_.at(m->name);
+    bodies_[static_cast<std::size_t>(body_index_.at(held_[arm]->name))].present = false;
+  }
+}
+
+void CollisionChecker::pose_joint(const WorldView& world, const std::string& joint, double position) {
+  const auto ref = scene_.find_joint(joint);
+  if (!ref) return;
+  for (const auto& part : ref.fixture->parts) {
+    bodies_[static_cast<std::size_t>(body_index_.at(part.name))].shape.place(scene::part_pose(
+        *ref.fixture, part,
+        [&](const std::string& name) { return name == joint ? position : world.joint(name); }));
+  }
+}
+
+void CollisionChecker::place_robot(const std::vector<double>& q) const {
+  kinematics_.forward(q, link_poses_);
+  for (std::size_t i = 0; i < link_poses_.size(); ++i) {
+    if (!parts_[i].empty()) parts_[i].place(link_poses_[i]);
+  }
+  for (std::size_t arm = 0; arm < held_.size(); ++arm) {
+    auto& shape = parts_[kinematics_.link_count() + arm];
+    if (!shape.empty())
+      shape.place(link_poses_[static_cast<std::size_t>(tool_links_[arm])] * held_[arm]->object_in_tool);
+  }
+}
+
+// Calls visit(a, b, is_body, limit) for each pair to look at; stops when it returns true.
+template <class Visit>
+void CollisionChecker::visit_contacts(const std::vector<double>& q, const CollisionQuery& query,
+                                      Visit&& visit) const {
+  place_robot(q);
+  static const Tolerances kNone;
+  const auto& tolerances = query.tolerances ? *query.tolerances : kNone;
+  for (const int part : *query.parts) {
+    const auto& shape = parts_[static_cast<std::size_t>(part)];
+    if (shape.empty()) continue;
+    const bool of_trunk = contains(trunk_parts_, part);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      if (!bodies_[b].present || (of_trunk && static_cast<int>(b) == floor_))
+        continue;  // the base stands on the floor
+      const double limit = tolerances.limit(part, static_cast<int>(b), query.margin);
+      if (limit == kAnyDepth) continue;
+      if (visit(part, static_cast<int>(b), true, limit)) return;
+    }
+  }
+  if (!query.self) return;
+  for (const auto& [a, b] : self_pairs_) {
+    if (!contains(*query.parts, a) && !contains(*query.parts, b)) continue;
+    if (visit(a, b, false, std::min(kSelfMargin, tolerances.limit(a, -1 - b, kSelfMargin)))) return;
+  }
+}
+
+bool CollisionChecker::collides(const std::vector<double>& q, const CollisionQuery& query) const {
+  bool hit = false;
+  visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
+    const auto& other =
+        is_body ? bodies_[static_cast<std::size_t>(b)].shape : parts_[static_cast<std::size_t>(b)];
+    hit = nearer_than(parts_[static_cast<std::size_t>(a)], other, limit);
+    return hit;
+  });
+  return hit;
+}
+
+std::string CollisionChecker::explain(const std::vector<double>& q, const CollisionQuery& query) const {
+  std::string text;
+  visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
+    const auto& other =
+        is_body ? bodies_[static_cast<std::size_t>(b)].shape : parts_[static_cast<std::size_t>(b)];
+    if (!nearer_than(parts_[static_cast<std::size_t>(a)], other, limit)) return false;
+    text = part_name(a) + " touches " + (is_body ? bodies_[static_cast<std::size_t>(b)].name : part_name(b));
+    return true;
+  });
+  return text;
+}
+
+Tolerances CollisionChecker::baseline(const std::vector<double>& q, const CollisionQuery& query) const {
+  Tolerances out = query.tolerances ? *query.tolerances : Tolerances();
+  visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
+    const auto& other =
+        is_body ? bodies_[static_cast<std::size_t>(b)].shape : parts_[static_cast<std::size_t>(b)];
+    const double distance = distance_between(parts_[static_cast<std::size_t>(a)], other, limit);
+    // 2 mm of slack: measured postures tremble, and GJK is exact to tenths of a millimetre only.
+    if (distance < limit) out.allow(a, is_body ? b : -1 - b, distance - 0.002);
+    return false;
+  });
+  return out;
+}
+
+bool CollisionChecker::object_fits(const std::string& object, const Pose& pose, double margin,
+                                   const std::vector<std::string>& ignored) const {
+  const auto* m = scene_.find_model_of(object);
+  if (m == nullptr) return false;
+  PlacedShape shape = object_shapes_.at(m->name);
+  shape.place(pose);
+  for (const auto& b : bodies_) {
+    if (!b.present || b.name == object || std::find(ignored.begin(), ignored.end(), b.name) != ignored.end())
+      continue;
+    if (nearer_than(shape, b.shape, margin)) return false;
+  }
+  return true;
+}
+
+int CollisionChecker::body(const std::string& name) const {
+  const auto found = body_index_.find(name);
+  return found == body_index_.end() ? -1 : found->second;
+}
+
+std::string CollisionChecker::part_name(int part) const {
+  const auto i = static_cast<std::size_t>(part);
+  if (i < kinematics_.link_count()) return kinematics_.link_name(i);
+  const auto& held = held_[i - kinematics_.link_count()];
+  return held ? held->name : "hand";
+}
+
+}  // namespace goalnet::manipulation

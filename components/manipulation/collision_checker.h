@@ -1,0 +1,97 @@
+// Whether a posture of the robot touches anything: furniture, moving parts, objects, itself, what it holds.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "components/core/outcome.h"
+#include "components/manipulation/convex_shapes.h"
+#include "components/manipulation/world_view.h"
+#include "components/robot/robot_model.h"
+#include "components/scene/scene.h"
+
+namespace goalnet::manipulation {
+
+// Parts of the robot by index: links as in Kinematics, then one "attached object" per arm.
+using PartSet = std::vector<int>;
+
+// Exceptions from the safety margin: pairs that may come nearer, down to `distance` [m].
+class Tolerances {
+ public:
+  void allow(int part, int body, double distance);
+  void allow_all(const PartSet& parts, int body);  // contact of any depth: the hand and what it grasps
+  double limit(int part, int body, double margin) const;
+
+ private:
+  std::map<std::pair<int, int>, double> limits_;
+};
+
+struct CollisionQuery {
+  const PartSet* parts = nullptr;  // these are checked against the world, and against all other robot parts
+  double margin = 0.01;            // [m]
+  const Tolerances* tolerances = nullptr;
+  bool self = true;
+};
+
+// Not thread-safe: keeps scratch memory for link poses. Bodies of the world keep the poses of the last
+// update.
+class CollisionChecker {
+ public:
+  CollisionChecker(const robot::RobotModel& model, const robot::Kinematics& kinematics,
+                   const scene::Scene& scene);
+
+  // Moves parts and objects to where they are perceived. Objects held (`held[arm]`) move with the tool
+  // instead.
+  void update(const WorldView& world, const std::vector<std::optional<HeldObject>>& held);
+  // Moves one part of a fixture (and its children) as if its joint stood at `position`: opening a door in
+  // thought.
+  void pose_joint(const WorldView& world, const std::string& joint, double position);
+
+  bool collides(const std::vector<double>& q, const CollisionQuery& query) const;
+  // The first pair found, for messages: "left_hand touches Kettle"; empty if there is none.
+  std::string explain(const std::vector<double>& q, const CollisionQuery& query) const;
+  // Tolerances for everything that is nearer than the margin in this posture already: from a touch one may
+  // come away, but not press on.
+  Tolerances baseline(const std::vector<double>& q, const CollisionQuery& query) const;
+  // Whether an object at a pose would be nearer than `margin` to any other body; those named are ignored.
+  bool object_fits(const std::string& object, const Pose& pose, double margin,
+                   const std::vector<std::string>& ignored) const;
+
+  int body(const std::string& name) const;  // -1: none of that name
+  const PartSet& all_parts() const { return all_parts_; }
+  const PartSet& arm_parts(std::size_t arm) const { return arm_parts_[arm]; }  // moving links and attachment
+  const PartSet& hand_parts(std::size_t arm) const { return hand_parts_[arm]; }  // hand, fingers, attachment
+  const PartSet& trunk_parts() const { return trunk_parts_; }                    // everything but the arms
+  int attachment(std::size_t arm) const { return static_cast<int>(kinematics_.link_count() + arm); }
+
+ private:
+  struct Body {
+    std::string name;
+    PlacedShape shape;
+    bool present = true;
+  };
+  void place_robot(const std::vector<double>& q) const;
+  std::string part_name(int part) const;
+  void find_self_pairs();
+  template <class Visit>
+  void visit_contacts(const std::vector<double>& q, const CollisionQuery& query, Visit&& visit) const;
+
+  const robot::RobotModel& model_;
+  const robot::Kinematics& kinematics_;
+  const scene::Scene& scene_;
+  std::vector<Body> bodies_;
+  std::map<std::string, int> body_index_;
+  int floor_ = -1;
+  std::map<std::string, PlacedShape> object_shapes_;  // by model name, for attachments and fit tests
+  mutable std::vector<PlacedShape> parts_;
+  mutable std::vector<Pose> link_poses_;
+  std::vector<std::optional<HeldObject>> held_;
+  std::vector<int> tool_links_;
+  std::vector<std::pair<int, int>> self_pairs_;
+  PartSet all_parts_, trunk_parts_;
+  std::vector<PartSet> arm_parts_, hand_parts_;
+};
+
+}  // namespace goalnet::manipulation

@@ -1,0 +1,83 @@
+#include <algorithm>
+
+#include "components/manipulation/place_candidates.h"
+#include "components/manipulation/skills.h"
+
+namespace goalnet::manipulation {
+namespace {
+
+bool known(const Workbench& bench, const std::string& name) {
+  const auto& scene = bench.scene();
+  return scene.find_object(name) || scene.find_fixture(name) || scene.find_part(name) ||
+         !regions_of(scene, name).empty();
+}
+
+Expected<void> need_part(const Workbench& bench, const std::string& name,
+                         std::initializer_list<scene::PartUse> uses) {
+  const auto ref = bench.scene().find_part(name);
+  if (ref && std::find(uses.begin(), uses.end(), ref.part->use) != uses.end()) return {};
+  return fail(Outcome::kInvalidRequest, "'" + name + "' is nothing that this action can be done with");
+}
+
+}  // namespace
+
+const std::vector<std::pair<std::string, std::size_t>>& skill_names() {
+  static const std::vector<std::pair<std::string, std::size_t>> kNames = {
+      {"moveto", 1},    {"grasp", 1},   {"release", 1}, {"stow", 1},     {"unstow", 1},
+      {"keep-on", 2},   {"keep-in", 2}, {"turn-on", 1}, {"turn-off", 1}, {"press-on", 1},
+      {"press-off", 1}, {"press", 1},   {"open", 1},    {"close", 1},
+  };
+  return kNames;
+}
+
+Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action& action) {
+  const auto& names = skill_names();
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == action.name; });
+  if (found == names.end()) {
+    return fail(Outcome::kInvalidRequest,
+                "manipulation does not know the action '" + to_string(action) + "'");
+  }
+  if (found->second != action.arguments.size()) {
+    return fail(Outcome::kInvalidRequest, "'" + to_string(action) + "': " + action.name + " takes " +
+                                              std::to_string(found->second) + " argument(s)");
+  }
+  for (const auto& argument : action.arguments) {
+    if (!known(bench, argument)) {
+      return fail(Outcome::kUnknownObject,
+                  "'" + to_string(action) + "': this scene has no '" + argument + "'");
+    }
+  }
+  const std::string& name = action.name;
+  const std::string& x = action.arguments[0];
+  using Where = PlaceSkill::Where;
+  const auto need_object = [&]() -> Expected<void> {
+    if (bench.scene().find_object(x)) return {};
+    return fail(Outcome::kInvalidRequest, "'" + to_string(action) + "': '" + x + "' cannot be picked up");
+  };
+  using Result = Expected<std::unique_ptr<Skill>>;
+  if (name == "moveto") return Result(std::make_unique<MoveSkill>(x));
+  if (name == "turn-on" || name == "turn-off" || name == "open" || name == "close") {
+    const bool knob = name.starts_with("turn");
+    if (auto ok = need_part(bench, x, {knob ? scene::PartUse::kKnob : scene::PartUse::kDoor}); !ok) {
+      return tl::unexpected<Error>(ok.error());
+    }
+    return Result(std::make_unique<TurnSkill>(x, name == "turn-on" || name == "open"));
+  }
+  if (name.starts_with("press")) {
+    if (auto ok = need_part(bench, x, {scene::PartUse::kButton}); !ok)
+      return tl::unexpected<Error>(ok.error());
+    return Result(std::make_unique<PressSkill>(x));
+  }
+  if (auto ok = need_object(); !ok) return tl::unexpected<Error>(ok.error());
+  if (name == "grasp" || name == "unstow") return Result(std::make_unique<GraspSkill>(x));
+  if (name == "release") return Result(std::make_unique<PlaceSkill>(x, Where::kNearest, ""));
+  if (name == "stow") return Result(std::make_unique<PlaceSkill>(x, Where::kTray, ""));
+  if (regions_of(bench.scene(), action.arguments[1]).empty()) {
+    return fail(Outcome::kInvalidRequest,
+                "'" + to_string(action) + "': nothing can be put in or on '" + action.arguments[1] + "'");
+  }
+  return Result(std::make_unique<PlaceSkill>(x, Where::kRegion, action.arguments[1]));
+}
+
+}  // namespace goalnet::manipulation

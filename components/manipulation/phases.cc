@@ -1,0 +1,142 @@
+#include "components/manipulation/phases.h"
+
+#include <algorithm>
+
+namespace goalnet::manipulation {
+
+Pose moved(const Pose& pose, const Eigen::Vector3d& offset) {
+  Pose out = pose;
+  out.translation() += offset;
+  return out;
+}
+
+Pose backed(const Pose& tool, double distance) { return tool * Eigen::Translation3d(0, 0, -distance); }
+
+double grip_opening(double width, double force) {
+  // Finger servos push harder the further their command lies inside the thing: about 10 N and 4 N a
+  // millimetre. A real gripper with force control does the same with another law; what counts is "narrower
+  // than the thing".
+  const double deeper = std::clamp((force - 10.0) / 4000.0, 0.003, 0.012);
+  return std::max(0.0, width - 2 * deeper);
+}
+
+Phase straight(std::string stage, std::size_t arm, std::vector<Pose> poses, Tolerances tolerances,
+               double speed) {
+  Phase phase;
+  phase.stage = std::move(stage);
+  phase.plan = [=](Workbench& bench) { return bench.move_straight(arm, poses, tolerances, speed); };
+  return phase;
+}
+
+Phase fingers(std::string stage, std::size_t arm, double opening, double settle) {
+  Phase phase;
+  phase.stage = std::move(stage);
+  phase.plan = [=](Workbench& bench) -> Expected<JointTrajectory> {
+    return bench.move_fingers(arm, opening);
+  };
+  phase.settle = settle;
+  return phase;
+}
+
+namespace {
+
+// Everything that the hand is in touch with now may be touched while backing away.
+Tolerances touching_now(Workbench& bench, std::size_t arm, double gap) {
+  const CollisionQuery query{&bench.checker().hand_parts(arm), gap, nullptr, true};
+  return bench.checker().baseline(bench.now(), query);
+}
+
+bool hand_is_near_something(Workbench& bench, std::size_t arm) {
+  const CollisionQuery query{&bench.checker().hand_parts(arm), 0.006, nullptr, false};
+  return bench.checker().collides(bench.now(), query);
+}
+
+}  // namespace
+
+void add_back_off(Phases& phases, const Workbench& bench) {
+  for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
+    Phase open;
+    open.stage = "back off";
+    open.optional = true;
+    open.plan = [arm](Workbench& b) -> Expected<JointTrajectory> {
+      if (b.held()[arm] || !hand_is_near_something(b, arm)) return JointTrajectory{};
+      return b.move_fingers(arm, std::min(0.1, b.opening_of(b.now(), arm) + 0.04));
+    };
+    phases.push_back(open);
+    Phase away;
+    away.stage = "back off";
+    away.optional = true;
+    away.plan = [arm](Workbench& b) -> Expected<JointTrajectory> {
+      if (!hand_is_near_something(b, arm)) return JointTrajectory{};
+      const Pose tool = b.tool_pose(b.now(), arm);
+      const Tolerances tolerances = touching_now(b, arm, 0.01);
+      if (b.held()[arm]) return b.move_straight(arm, {moved(tool, {0, 0, 0.05})}, tolerances, 0.7);
+      return b.move_straight(arm, {backed(tool, 0.08)}, tolerances, 0.7);
+    };
+    phases.push_back(away);
+  }
+}
+
+void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solution) {
+  if (!solution.drives) return;
+  for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
+    Phase tuck;
+    tuck.stage = "tuck";
+    tuck.plan = [arm](Workbench& b) -> Expected<JointTrajectory> {
+      if (b.is_tucked(arm)) return JointTrajectory{};
+      return b.tuck(arm);
+    };
+    phases.push_back(tuck);
+  }
+  Phase drive;
+  drive.stage = "drive";
+  drive.plan = [stand = solution.stand](Workbench& b) { return b.drive(stand); };
+  phases.push_back(drive);
+}
+
+void add_approach(Phases& phases, const ReachSolution& solution, const Reach& reach) {
+  Phase phase;
+  phase.stage = "approach";
+  phase.plan = [goal = solution.along.front(), lift = solution.stand.lift, arm = reach.arm,
+                opening = reach.opening,
+                tolerances = reach.tolerances](Workbench& b) -> Expected<JointTrajectory> {
+    auto motion = b.move_arm(arm, goal, lift, &tolerances);
+    if (!motion || b.held()[arm]) return motion;
+    return merge(*motion, b.move_fingers(arm, opening));
+  };
+  phases.push_back(phase);
+}
+
+void add_let_go(Phases& phases, const Workbench&, std::size_t arm, double more, const Tolerances& tolerances,
+                const Eigen::Vector3d& further) {
+  Phase open;
+  open.stage = "let go";
+  open.plan = [arm, more](Workbench& b) -> Expected<JointTrajectory> {
+    return b.move_fingers(arm, std::min(0.119, b.opening_of(b.now(), arm) + more));
+  };
+  open.check = [arm](Workbench& b) -> Expected<void> {
+    b.set_held(arm, std::nullopt);
+    return {};
+  };
+  open.settle = 0.1;
+  phases.push_back(open);
+  Phase away;
+  away.stage = "retreat";
+  away.optional = true;
+  away.plan = [arm, tolerances, further](Workbench& b) -> Expected<JointTrajectory> {
+    const Pose tool = b.tool_pose(b.now(), arm);
+    for (const double distance : {0.10, 0.07, 0.05}) {
+      const Pose back = backed(tool, distance);
+      if (further.norm() > 0) {
+        auto motion = b.move_straight(arm, {back, moved(back, further)}, tolerances);
+        if (motion) return motion;
+      }
+      auto motion = b.move_straight(arm, {back}, tolerances);
+      if (motion) return motion;
+    }
+    return fail(Outcome::kMotionFailed, "the hand cannot retreat");
+  };
+  phases.push_back(away);
+}
+
+}  // namespace goalnet::manipulation

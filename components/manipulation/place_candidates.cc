@@ -1,0 +1,114 @@
+#include "components/manipulation/place_candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace goalnet::manipulation {
+namespace {
+
+constexpr double kAbove = 0.002;  // [m] let go this high above the surface: touching earlier would push
+constexpr double kGap = 0.02;     // [m] to neighbours: room for fingers is checked by reaching itself
+
+struct Spot {
+  Pose pose;  // map frame, on the surface
+  double preference;
+};
+
+void add_grid(const scene::Support& support, const Pose& frame, double radius, double base,
+              std::vector<Spot>& spots) {
+  const double half_x = support.size_x / 2 - radius - 0.005, half_y = support.size_y / 2 - radius - 0.005;
+  // A burner is smaller than a pot: its middle is always a spot.
+  const int nx = half_x > 0.04 ? 1 + static_cast<int>(half_x * 2 / 0.09) : 0;
+  const int ny = half_y > 0.04 ? 1 + static_cast<int>(half_y * 2 / 0.11) : 0;
+  for (int i = 0; i <= nx; ++i) {
+    for (int j = 0; j <= ny; ++j) {
+      const double x = nx == 0 ? 0.0 : -half_x + 2 * half_x * i / nx;
+      const double y = ny == 0 ? 0.0 : -half_y + 2 * half_y * j / ny;
+      Spot spot{frame, base};
+      spot.pose.translation() += frame.linear() * Eigen::Vector3d(x, y, 0);
+      // In small places the middle is best (a door may hit what stands before it); on worktops the near part
+      // is.
+      const double want_x = support.size_x > 0.5 && support.clearance < 0.01 ? -0.12 : -0.04;
+      spot.preference += 2.0 * std::abs(x - want_x) + (support.size_y < 1.0 ? 1.0 * std::abs(y) : 0.0);
+      spots.push_back(spot);
+    }
+  }
+}
+
+}  // namespace
+
+Pose support_pose(const scene::Scene& scene, const scene::Region& region, const scene::Support& support) {
+  const auto* fixture = scene.find_fixture(region.fixture);
+  return (fixture ? fixture->pose : Pose::Identity()) * support.frame;
+}
+
+std::vector<const scene::Region*> regions_of(const scene::Scene& scene, const std::string& name) {
+  std::vector<const scene::Region*> out;
+  for (const auto& region : scene.regions) {
+    if (region.name == name) return {&region};
+    if (region.within == name) out.push_back(&region);
+  }
+  return out;
+}
+
+std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string& object,
+                                             const scene::Region& region, int headings) {
+  std::vector<PlaceCandidate> out;
+  const auto& scene = bench.scene();
+  const auto* model = scene.find_model_of(object);
+  const auto* fixture = scene.find_fixture(region.fixture);
+  if (model == nullptr || fixture == nullptr) return out;
+  const double radius = model->footprint_radius();
+  std::vector<Spot> spots;
+  for (const auto& spot : region.spots) {
+    const bool meant = std::any_of(spot.prefer_for.begin(), spot.prefer_for.end(),
+                                   [&](const std::string& p) { return model->has_property(p); });
+    if (!spot.prefer_for.empty() && !meant) continue;
+    // What is meant for a spot goes there, nearly whatever the way costs.
+    spots.push_back({fixture->pose * spot.frame, meant ? -20.0 : -0.5});
+  }
+  double later = 0.0;
+  for (const auto& support : region.supports) {
+    if (support.reserved || (support.clearance > 0.01 && support.clearance < model->height() + 0.03))
+      continue;
+    add_grid(support, support_pose(scene, region, support), radius, later, spots);
+    later += 1.0;  // the next shelf
+  }
+  // Things come from above; in closed places from the front, a little raised.
+  const double depth = region.supports.front().size_x / 2;
+  for (const auto& spot : spots) {
+    PlaceCandidate place;
+    place.preference = spot.preference;
+    const Eigen::Vector3d in_front = fixture->pose.inverse() * spot.pose.translation();
+    const Eigen::Vector3d back = -fixture->pose.linear().col(0);
+    if (region.relation == scene::RegionRelation::kIn) {
+      place.approaches = {
+          Eigen::Vector3d::UnitZ() * 0.03 + back * std::max(0.15, std::min(depth * 2, in_front.x()) + 0.08),
+          Eigen::Vector3d::UnitZ() * 0.03};
+    } else {
+      place.approaches = {Eigen::Vector3d::UnitZ() * 0.10};
+    }
+    for (int h = 0; h < headings; ++h) {
+      place.object = spot.pose;
+      place.object.linear() =
+          spot.pose.linear() *
+          Eigen::AngleAxisd(2 * std::numbers::pi * h / headings, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      place.object.translation().z() += kAbove;
+      Pose probe = place.object;
+      probe.translation().z() += 0.004;
+      // The surface itself is nearer than the gap, so look for neighbours with a raised object and its own
+      // fixture left out.
+      if (!bench.checker().object_fits(object, probe, kGap, {region.fixture}) ||
+          !bench.checker().object_fits(object, probe, 0.001, {})) {
+        continue;
+      }
+      out.push_back(place);
+    }
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const auto& a, const auto& b) { return a.preference < b.preference; });
+  return out;
+}
+
+}  // namespace goalnet::manipulation

@@ -1,0 +1,29 @@
+// Free spots on surfaces and in containers for something that a hand holds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "components/manipulation/workbench.h"
+
+namespace goalnet::manipulation {
+
+struct PlaceCandidate {
+  Pose object = Pose::Identity();           // upright, resting on the surface, in the map frame
+  std::vector<Eigen::Vector3d> approaches;  // [m] offsets from which the object may come, last leg straight
+  double preference = 0;                    // [s] lower is better
+};
+
+// Spots of one region. Named spots for which the object is meant come first (a vessel under the tap), then a
+// grid. Every spot is free for the object's footprint at some heading; `headings` about up are tried for
+// each.
+std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string& object,
+                                             const scene::Region& region, int headings = 12);
+
+// The regions that a name stands for: itself, or the compartments within it (Fridge).
+std::vector<const scene::Region*> regions_of(const scene::Scene& scene, const std::string& name);
+
+// Pose in the map frame of a support's middle.
+Pose support_pose(const scene::Scene& scene, const scene::Region& region, const scene::Support& support);
+
+}  // namespace goalnet::manipulation

@@ -1,0 +1,103 @@
+// grasp, and the way there.
+#include <cmath>
+
+#include "components/manipulation/grasp_candidates.h"
+#include "components/manipulation/skills.h"
+
+namespace goalnet::manipulation {
+namespace {
+
+// What the phases of one attempt tell each other.
+struct GraspState {
+  Pose in_tool = Pose::Identity();  // the object as it was when the fingers had closed
+  double height = 0;                // [m] of the object then
+};
+
+}  // namespace
+
+Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
+  if (bench.arm_holding(object_)) return Phases{};
+  auto reaches = grasp_reaches(bench, object_);
+  if (reaches.empty()) {
+    return fail(Outcome::kMotionFailed,
+                "no empty hand for " + object_ + ", or it cannot be seen; put something down first");
+  }
+  std::erase_if(reaches, [&](const Reach& r) { return failed_.contains(r.tag); });
+  auto solution = find_stand(bench, reaches, {});
+  if (!solution) return fail(solution.error().outcome, "grasp " + object_ + ": " + solution.error().message);
+  const Reach reach = reaches[solution->reach];
+  // A way that fails is not tried again; it is forgotten when it works, as the skill ends then.
+  failed_.insert(reach.tag);
+
+  const auto* model = bench.scene().find_model_of(object_);
+  const std::size_t arm = reach.arm;
+  const std::size_t candidate = reach.tag % 10'000;
+  const double width = grasp_candidates(model->grasps, bench.model().arms[arm].gripper)[candidate].width;
+  const auto state = std::make_shared<GraspState>();
+  const std::string object = object_;
+
+  Phases phases;
+  add_back_off(phases, bench);
+  add_go_to(phases, bench, *solution);
+  add_approach(phases, *solution, reach);
+  phases.push_back(straight("reach", arm, {reach.tool[1]}, reach.tolerances, 0.8));
+  Phase close = fingers("grasp", arm, grip_opening(width, model->grip_force), 0.15);
+  close.check = [=](Workbench& b) -> Expected<void> {
+    const double opening = b.opening_of(b.world().robot, arm);
+    if (opening < 0.4 * width || opening > width + 0.03) {
+      return fail(Outcome::kMotionFailed, "the fingers closed to " +
+                                              std::to_string(opening * 1000).substr(0, 4) + " mm without " +
+                                              object + " between them");
+    }
+    b.set_held(arm, object);
+    state->in_tool = b.held()[arm]->object_in_tool;
+    state->height = b.world().object(object)->translation().z();
+    return {};
+  };
+  phases.push_back(close);
+  Phase lift = straight("lift", arm, {reach.tool.begin() + 2, reach.tool.end()}, reach.tolerances, 0.6);
+  lift.settle = 0.1;
+  lift.check = [=](Workbench& b) -> Expected<void> {
+    const Pose* now = b.world().object(object);
+    const Pose in_tool = b.tool_pose(b.world().robot, arm).inverse() * *now;
+    const double slip = (in_tool.translation() - state->in_tool.translation()).norm();
+    if (slip > 0.03 || now->translation().z() < state->height + 0.01) {
+      b.set_held(arm, std::nullopt);
+      return fail(Outcome::kMotionFailed, object + " did not come along when the hand was lifted");
+    }
+    return {};
+  };
+  phases.push_back(lift);
+  return phases;
+}
+
+Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
+  if (number > 0) return fail(Outcome::kMotionFailed, "moveto " + object_ + ": no other way to get there");
+  if (bench.arm_holding(object_)) return Phases{};
+  std::vector<std::vector<Reach>> wishes;  // best first
+  const Pose* pose = bench.world().object(object_);
+  std::string place = object_;
+  if (pose != nullptr) {
+    wishes.push_back(grasp_reaches(bench, object_));
+    if (const auto* region = region_around(bench, *pose)) place = region->fixture;
+  } else if (const auto ref = bench.scene().find_part(object_);
+             ref && ref.part->use != scene::PartUse::kDoor) {
+    wishes.push_back(ref.part->use == scene::PartUse::kButton ? press_reaches(bench, ref)
+                                                              : part_reaches(bench, ref));
+    place = ref.fixture->name;
+  }
+  wishes.push_back(front_reaches(bench, place));
+  Expected<ReachSolution> solution = fail(Outcome::kMotionFailed, "nothing to go to");
+  for (const auto& wish : wishes) {
+    if (wish.empty()) continue;
+    solution = find_stand(bench, wish, {});
+    if (solution || solution.error().outcome == Outcome::kCancelled) break;
+  }
+  if (!solution) return fail(solution.error().outcome, "moveto " + object_ + ": " + solution.error().message);
+  Phases phases;
+  add_back_off(phases, bench);
+  add_go_to(phases, bench, *solution);
+  return phases;
+}
+
+}  // namespace goalnet::manipulation

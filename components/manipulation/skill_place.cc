@@ -1,0 +1,141 @@
+// keep-on, keep-in, release, stow.
+#include <cmath>
+
+#include "components/manipulation/place_candidates.h"
+#include "components/manipulation/skills.h"
+
+namespace goalnet::manipulation {
+namespace {
+
+struct PlaceWay {
+  Reach reach;
+  Pose object;              // where it should come to rest
+  Eigen::Vector3d further;  // where the hand goes after letting go
+};
+
+std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where where,
+                                           const std::string& object, const std::string& region_name,
+                                           std::vector<const scene::Region*>& origin) {
+  std::vector<PlaceCandidate> out;
+  std::vector<const scene::Region*> regions;
+  if (where == PlaceSkill::Where::kRegion) {
+    regions = regions_of(bench.scene(), region_name);
+  } else {
+    for (const auto& region : bench.scene().regions) {
+      // Worktops only: nobody wants what is released in the sink or on a burner.
+      if (region.relation == scene::RegionRelation::kOn && region.supports.front().size_y > 1.0)
+        regions.push_back(&region);
+    }
+  }
+  const Stand here = bench.stand_of(bench.now());
+  for (const auto* region : regions) {
+    for (auto& candidate : place_candidates(bench, object, *region)) {
+      if (where == PlaceSkill::Where::kNearest || region->supports.front().size_y > 1.0) {
+        const auto& p = candidate.object.translation();
+        candidate.preference += std::hypot(p.x() - here.x, p.y() - here.y);
+      }
+      out.push_back(candidate);
+      origin.push_back(region);
+    }
+  }
+  return out;
+}
+
+// Slots of the tray, seen from where the robot stands now.
+std::vector<PlaceCandidate> tray_candidates(Workbench& bench, const std::string& object) {
+  std::vector<PlaceCandidate> out;
+  const auto& tray = bench.model().tray;
+  if (!tray) return out;
+  const Pose frame = bench.kinematics().forward(bench.now(), bench.kinematics().link_index(tray->link));
+  for (std::size_t i = 0; i < tray->slots.size(); ++i) {
+    for (int h = 0; h < 12; ++h) {
+      PlaceCandidate c;
+      c.object = frame * Eigen::Translation3d(tray->slots[i].position + Eigen::Vector3d(0, 0, 0.003)) *
+                 Eigen::AngleAxisd(h * M_PI / 6, Eigen::Vector3d::UnitZ());
+      c.approaches = {Eigen::Vector3d::UnitZ() * 0.12};
+      if (bench.checker().object_fits(object, c.object, 0.008, {})) out.push_back(c);
+    }
+  }
+  return out;
+}
+
+std::vector<PlaceWay> ways(Workbench& bench, std::size_t arm, const std::vector<PlaceCandidate>& candidates,
+                           const std::vector<const scene::Region*>& origin) {
+  std::vector<PlaceWay> out;
+  const Pose grip = bench.held()[arm]->object_in_tool.inverse();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto& c = candidates[i];
+    PlaceWay way;
+    way.object = c.object;
+    way.reach.arm = arm;
+    for (const auto& offset : c.approaches) way.reach.tool.push_back(moved(c.object, offset) * grip);
+    way.reach.tool.push_back(c.object * grip);
+    way.reach.opening = bench.opening_of(bench.now(), arm);
+    way.reach.preference = c.preference;
+    way.reach.tag = i;
+    way.further = c.approaches.size() > 1 ? Eigen::Vector3d(c.approaches.front() - c.approaches.back())
+                                          : Eigen::Vector3d::Zero();
+    if (i < origin.size() && origin[i] != nullptr) {
+      // The object ends 2 mm above what carries it: nearer than any margin.
+      way.reach.tolerances.allow(bench.checker().attachment(arm), bench.checker().body(origin[i]->fixture),
+                                 -0.001);
+    }
+    out.push_back(std::move(way));
+  }
+  return out;
+}
+
+}  // namespace
+
+Expected<Phases> PlaceSkill::attempt(Workbench& bench, int) {
+  const auto holding = bench.arm_holding(object_);
+  if (!holding) return fail(Outcome::kMotionFailed, object_ + " is not in a hand, so it cannot be put down");
+  const std::size_t arm = *holding;
+  std::vector<const scene::Region*> origin;
+  const auto candidates = where_ == Where::kTray ? tray_candidates(bench, object_)
+                                                 : candidates_for(bench, where_, object_, region_, origin);
+  if (candidates.empty()) {
+    return fail(Outcome::kMotionFailed,
+                "no free place for " + object_ + (region_.empty() ? "" : " in or on " + region_));
+  }
+  auto all = ways(bench, arm, candidates, origin);
+  std::erase_if(all, [&](const PlaceWay& w) { return failed_.contains(w.reach.tag); });
+  std::vector<Reach> reaches;
+  for (const auto& way : all) reaches.push_back(way.reach);
+  StandSearchOptions options;
+  options.may_drive = where_ != Where::kTray;
+  auto solution = find_stand(bench, reaches, options);
+  if (!solution)
+    return fail(solution.error().outcome, "put down " + object_ + ": " + solution.error().message);
+  const PlaceWay way = all[solution->reach];
+  failed_.insert(way.reach.tag);
+
+  Phases phases;
+  add_back_off(phases, bench);
+  add_go_to(phases, bench, *solution);
+  add_approach(phases, *solution, way.reach);
+  Phase lower = straight("put down", arm, {way.reach.tool.begin() + 1, way.reach.tool.end()},
+                         way.reach.tolerances, 0.6);
+  lower.settle = 0.1;
+  phases.push_back(lower);
+  Tolerances touch;
+  touch.allow_all(bench.checker().hand_parts(arm), bench.checker().body(object_));
+  add_let_go(phases, bench, arm, 0.03, touch, way.further);
+  Phase& last = phases.back();
+  last.settle = 0.2;
+  last.check = [object = object_, target = way.object,
+                tray = where_ == Where::kTray](Workbench& b) -> Expected<void> {
+    const Pose* now = b.world().object(object);
+    if (now == nullptr) return fail(Outcome::kMotionFailed, object + " cannot be seen after it was put down");
+    const double off = (now->translation() - target.translation()).norm();
+    if (off > (tray ? 0.08 : 0.05)) {
+      return fail(Outcome::kMotionFailed, object + " did not stay where it was put: it is " +
+                                              std::to_string(static_cast<int>(off * 100)) + " cm away");
+    }
+    if (tilt_of(*now) > 0.5) return fail(Outcome::kMotionFailed, object + " fell over when it was put down");
+    return {};
+  };
+  return phases;
+}
+
+}  // namespace goalnet::manipulation

@@ -1,0 +1,186 @@
+#include "components/manipulation/stand_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace goalnet::manipulation {
+namespace {
+
+constexpr double kMinConditioning =
+    0.04;                      // smallest singular value at the first pose: keep away from singularities
+constexpr double kGap = 0.09;  // [m] wanted between the robot's trunk and furniture; less if need be
+
+struct Candidate {
+  Stand stand;
+  double cost = 0;
+  bool drives = true;
+};
+
+double wrap(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+// Robot configuration as it will be at a stand: other arms tucked if the base moves.
+Configuration posture_at(const Workbench& bench, const Stand& stand, bool drives) {
+  Configuration q = bench.with_stand(bench.now(), stand);
+  if (!drives) return q;
+  for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
+    if (const auto carry = bench.carry_posture(arm)) q = bench.with_arm(q, arm, *carry);
+  }
+  return q;
+}
+
+std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reach>& reaches, bool may_drive) {
+  const Stand here = bench.stand_of(bench.now());
+  const auto& model = bench.model();
+  double lift_low = 0, lift_high = 0;
+  if (!model.lift.empty()) {
+    const auto& limits = model.joints[static_cast<std::size_t>(model.index_of(model.lift))].limits;
+    lift_low = limits.lower + 0.005;
+    lift_high = limits.upper - 0.005;
+  }
+  std::vector<Candidate> out;
+  const auto add = [&](const Stand& stand, double cost, bool drives) {
+    out.push_back({stand, cost, drives});
+  };
+  std::vector<double> lifts{here.lift};
+  for (const double share : {0.95, 0.7, 0.45, 0.2, 0.0})
+    lifts.push_back(lift_low + share * (lift_high - lift_low));
+  for (const double lift : lifts) {
+    Stand stand = here;
+    stand.lift = std::clamp(lift, lift_low, lift_high);
+    add(stand, std::abs(lift - here.lift) / 0.3, false);
+  }
+  if (!may_drive) return out;
+  // Where the target should be seen from the base: ahead, and on the side of the arm.
+  struct Target {
+    Eigen::Vector3d point;
+    double side;
+    double preference;
+  };
+  std::vector<Target> targets;
+  for (const auto& reach : reaches) {
+    const double side = bench.shoulder_side(reach.arm);
+    const Eigen::Vector3d point = reach.tool.back().translation();
+    const bool known = std::any_of(targets.begin(), targets.end(), [&](const Target& t) {
+      return t.side == side && (t.point - point).norm() < 0.12;
+    });
+    if (!known && targets.size() < 6) targets.push_back({point, side, reach.preference});
+  }
+  for (const auto& target : targets) {
+    for (int turn = 0; turn < 24; ++turn) {
+      const double yaw = here.yaw + wrap(turn * std::numbers::pi / 12 - here.yaw);
+      const Eigen::Rotation2Dd rotation(yaw);
+      for (const double ahead : {0.62, 0.70, 0.54, 0.78, 0.86, 0.47}) {
+        for (const double across : {0.2, 0.02, 0.4, -0.15, 0.6}) {
+          const double y = target.side > 0 ? across : -across;
+          const Eigen::Vector2d at = target.point.head<2>() - rotation * Eigen::Vector2d(ahead, y);
+          const auto& scene = bench.scene();
+          if (at.x() < scene.floor_x_min + 0.25 || at.x() > scene.floor_x_max - 0.2 ||
+              at.y() < scene.floor_y_min + 0.2 || at.y() > scene.floor_y_max - 0.2) {
+            continue;
+          }
+          const double way =
+              std::hypot(at.x() - here.x, at.y() - here.y) / 0.8 + std::abs(yaw - here.yaw) / 1.6;
+          const double comfort = 2.0 * std::abs(ahead - 0.64) + 1.5 * std::abs(across - 0.2);
+          // Above the target the forearm points down a little: comfortable for both hand and eye.
+          const double best = std::clamp(target.point.z() + 0.2 - 0.80, lift_low, lift_high);
+          for (const double offset : {0.0, 0.15, -0.15}) {
+            const double lift = std::clamp(best + offset, lift_low, lift_high);
+            if (offset != 0.0 && std::abs(lift - best) < 0.05) continue;
+            add({at.x(), at.y(), yaw, lift}, 1.5 + way + comfort + target.preference + 2 * std::abs(offset),
+                true);
+          }
+        }
+      }
+    }
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  return out;
+}
+
+class Search {
+ public:
+  Search(Workbench& bench, const std::vector<Reach>& reaches, const StandSearchOptions& options)
+      : bench_(bench), reaches_(reaches), options_(options) {
+    for (std::size_t i = 0; i < reaches.size(); ++i) order_.push_back(i);
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return reaches_[a].preference < reaches_[b].preference;
+    });
+  }
+
+  std::optional<ReachSolution> try_stand(const Candidate& candidate) {
+    const Configuration q = posture_at(bench_, candidate.stand, candidate.drives);
+    if (candidate.drives) {
+      const CollisionQuery trunk{&bench_.checker().trunk_parts(), kGap, nullptr, false};
+      if (bench_.checker().collides(q, trunk)) return std::nullopt;
+      const CollisionQuery all{&bench_.checker().all_parts(), bench_.params().drive_margin, nullptr, true};
+      if (bench_.checker().collides(q, all)) return std::nullopt;
+    }
+    std::size_t looked_at = 0;
+    for (const std::size_t index : order_) {
+      if (looked_at >= options_.most_reaches) break;
+      if (auto along = try_reach(q, reaches_[index], looked_at)) {
+        return ReachSolution{candidate.stand, candidate.drives, index, std::move(*along)};
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<std::vector<ArmPositions>> try_reach(const Configuration& stand, const Reach& reach,
+                                                     std::size_t& looked_at) {
+    const Configuration q = bench_.with_fingers(stand, reach.arm, reach.opening);
+    const Pose base = bench_.arm_base_pose(q, reach.arm);
+    const Pose first = base.inverse() * reach.tool.front();
+    // Quick no: too far, or reaching back towards oneself.
+    if (first.translation().norm() > 1.15 || first.linear()(0, 2) < -0.35) return std::nullopt;
+    ++looked_at;
+    const auto& arm = bench_.arm(reach.arm);
+    const ArmPositions seed = bench_.arm_of(q, reach.arm);
+    const CollisionQuery query{&bench_.checker().arm_parts(reach.arm), bench_.params().margin,
+                               &reach.tolerances, true};
+    int tried = 0;
+    ArmPositions last{};
+    for (const auto& start : arm.solve(first, seed, 16, 0.05)) {
+      if (tried > 0 && robot::largest_step(start, last) < 0.2) continue;
+      if (tried >= 6) break;
+      if (bench_.checker().collides(bench_.with_arm(q, reach.arm, start), query)) {
+        last = start;
+        ++tried;
+        continue;
+      }
+      if (arm.conditioning(start) < kMinConditioning) continue;
+      last = start;
+      ++tried;
+      const std::vector<Pose> rest(reach.tool.begin() + 1, reach.tool.end());
+      auto along = bench_.follow(q, reach.arm, start, rest, reach.tolerances, bench_.params().contact_margin);
+      if (!along) continue;
+      if (options_.accept && !options_.accept(bench_.with_arm(q, reach.arm, start), reach, *along)) continue;
+      return along;
+    }
+    return std::nullopt;
+  }
+
+  Workbench& bench_;
+  const std::vector<Reach>& reaches_;
+  const StandSearchOptions& options_;
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace
+
+Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& reaches,
+                                   const StandSearchOptions& options) {
+  if (reaches.empty())
+    return fail(Outcome::kMotionFailed, "there is no way to take hold of it or to put it there");
+  Search search(bench, reaches, options);
+  for (const auto& candidate : candidates(bench, reaches, options.may_drive)) {
+    if (bench.stopped()) return fail(Outcome::kCancelled, "cancelled while looking for a place to stand");
+    if (auto solution = search.try_stand(candidate)) return std::move(*solution);
+  }
+  return fail(Outcome::kMotionFailed,
+              "no place to stand from which a hand reaches it without touching something");
+}
+
+}  // namespace goalnet::manipulation

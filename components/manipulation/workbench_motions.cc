@@ -1,0 +1,247 @@
+// The motions of the workbench: free motion of an arm, straight lines of the tool, driving, fingers, tucking.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "components/manipulation/workbench.h"
+
+namespace goalnet::manipulation {
+namespace {
+
+constexpr double kCornerReach = 0.25;  // [s] at full speed: how early corners of free motions are rounded
+constexpr double kSpacing = 0.02;      // [s] at full speed between points of a path
+
+double wrap(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+}  // namespace
+
+Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPositions& goal, double lift,
+                                              const Tolerances* tolerances) {
+  std::vector<int> joints(arms_[arm].joints().begin(), arms_[arm].joints().end());
+  const Stand here = stand_of(now_);
+  const bool lifting = lift_ >= 0 && std::abs(lift - here.lift) > 1e-4;
+  if (lifting) joints.push_back(lift_);
+  Configuration target = with_arm(now_, arm, goal);
+  if (lifting) target[static_cast<std::size_t>(lift_)] = lift;
+
+  const PartSet& parts = lifting ? checker_.all_parts() : checker_.arm_parts(arm);
+  CollisionQuery query{&parts, params_.margin, tolerances, true};
+  Tolerances relaxed = checker_.baseline(now_, query);
+  {  // The goal may be near things on purpose (a hand before a handle); it was checked with the smaller
+     // margin.
+    CollisionQuery at_goal{&parts, params_.margin, &relaxed, true};
+    relaxed = checker_.baseline(target, at_goal);
+  }
+  query.tolerances = &relaxed;
+  const double tilt = tilt_limit(arm);
+
+  PathQuery path;
+  const TimedJoints limits = timed(joints);
+  path.start = pick(now_, joints);
+  path.goal = pick(target, joints);
+  path.scale = limits.velocity.cwiseInverse();
+  path.lower.resize(path.start.size());
+  path.upper.resize(path.start.size());
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    path.lower[static_cast<Eigen::Index>(i)] =
+        model_.joints[static_cast<std::size_t>(joints[i])].limits.lower;
+    path.upper[static_cast<Eigen::Index>(i)] =
+        model_.joints[static_cast<std::size_t>(joints[i])].limits.upper;
+  }
+  Configuration scratch = now_;
+  const auto expand = [&](const JointVector& v) {
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      scratch[static_cast<std::size_t>(joints[i])] = v[static_cast<Eigen::Index>(i)];
+  };
+  path.is_free = [&](const JointVector& v) {
+    expand(v);
+    return upright(scratch, arm, tilt) && !checker_.collides(scratch, query);
+  };
+  if (held_[arm] && tilt < 1.5) {
+    // Few configurations chosen blindly keep a cup upright: choose a place and a heading for it instead.
+    path.sample = [&](const std::function<double(double, double)>& uniform, JointVector& out) {
+      const Pose from = arm_base_pose(now_, arm);
+      Pose object = Pose::Identity();
+      object.linear() =
+          (Eigen::AngleAxisd(uniform(-std::numbers::pi, std::numbers::pi), Eigen::Vector3d::UnitZ()) *
+           Eigen::AngleAxisd(uniform(-0.6, 0.6) * tilt, Eigen::Vector3d::UnitX()) *
+           Eigen::AngleAxisd(uniform(-0.6, 0.6) * tilt, Eigen::Vector3d::UnitY()))
+              .toRotationMatrix();
+      const Pose tool_rotation = object * held_[arm]->object_in_tool.inverse();
+      Pose tool = Pose::Identity();
+      tool.linear() = from.linear().transpose() * tool_rotation.linear();
+      tool.translation() =
+          Eigen::Vector3d(uniform(-0.1, 0.9), sides_[arm] + uniform(-0.7, 0.7), uniform(-0.6, 0.5));
+      ArmPositions seed;
+      for (std::size_t i = 0; i < 7; ++i) seed[i] = uniform(arms_[arm].lower()[i], arms_[arm].upper()[i]);
+      const auto solutions = arms_[arm].solve(tool, seed, 4);
+      if (solutions.empty()) return false;
+      out.resize(path.start.size());
+      for (std::size_t i = 0; i < 7; ++i) out[static_cast<Eigen::Index>(i)] = solutions.front()[i];
+      if (lifting) out[7] = uniform(path.lower[7], path.upper[7]);
+      return true;
+    };
+  }
+  path.stopped = stopped_;
+  PlannerLimits planner;
+  auto corners = plan_path(path, planner);
+  if (!corners) {
+    auto error = corners.error();
+    if (error.outcome == Outcome::kMotionFailed) {
+      const auto why_start = checker_.explain(now_, query), why_goal = checker_.explain(target, query);
+      if (!why_start.empty()) error.message += " (" + why_start + ")";
+      if (!why_goal.empty()) error.message += " (" + why_goal + ")";
+    }
+    return tl::unexpected<Error>(error);
+  }
+  return time_path(limits, round_corners(*corners, path.scale, kCornerReach, kSpacing, path.is_free));
+}
+
+std::optional<std::vector<ArmPositions>> Workbench::follow(const Configuration& q, std::size_t arm,
+                                                           const ArmPositions& start,
+                                                           const std::vector<Pose>& poses,
+                                                           const Tolerances& tolerances,
+                                                           double margin) const {
+  const Pose to_base = arm_base_pose(q, arm).inverse();
+  const CollisionQuery query{&checker_.arm_parts(arm), margin, &tolerances, true};
+  std::vector<ArmPositions> out{start};
+  Pose last = arm_base_pose(q, arm) * arms_[arm].forward(start);
+  for (const auto& waypoint : poses) {
+    for (const auto& pose : interpolate(last, waypoint)) {
+      const auto next = arms_[arm].follow(to_base * pose, out.back(), 0.35);
+      if (!next || checker_.collides(with_arm(q, arm, *next), query)) return std::nullopt;
+      out.push_back(*next);
+    }
+    last = waypoint;
+  }
+  return out;
+}
+
+Expected<JointTrajectory> Workbench::move_straight(std::size_t arm, const std::vector<Pose>& poses,
+                                                   const Tolerances& tolerances, double speed) {
+  const CollisionQuery query{&checker_.arm_parts(arm), params_.contact_margin, &tolerances, true};
+  const Tolerances relaxed = checker_.baseline(now_, query);
+  const auto points = follow(now_, arm, arm_of(now_, arm), poses, relaxed, params_.contact_margin);
+  if (!points) {
+    return fail(Outcome::kMotionFailed,
+                "the hand cannot follow a straight line from here without a collision");
+  }
+  const std::vector<int> joints(arms_[arm].joints().begin(), arms_[arm].joints().end());
+  const TimedJoints limits = timed(joints, speed);
+  JointPath path;
+  for (const auto& p : *points) path.push_back(Eigen::Map<const JointVector>(p.data(), 7));
+  return time_path(limits, through_points(path, limits.velocity.cwiseInverse(), kSpacing));
+}
+
+Expected<JointTrajectory> Workbench::drive(const Stand& goal) {
+  std::vector<int> joints{base_x_, base_y_, base_yaw_};
+  if (lift_ >= 0) joints.push_back(lift_);
+  const Stand here = stand_of(now_);
+  Stand there = goal;
+  there.yaw = here.yaw + wrap(goal.yaw - here.yaw);  // the short way round
+  const Configuration target = with_stand(now_, there);
+  CollisionQuery query{&checker_.all_parts(), params_.drive_margin, nullptr, true};
+  Tolerances relaxed = checker_.baseline(now_, query);
+  {
+    CollisionQuery at_goal = query;
+    at_goal.tolerances = &relaxed;
+    relaxed = checker_.baseline(target, at_goal);
+  }
+  query.tolerances = &relaxed;
+  const TimedJoints limits = timed(joints);
+  PathQuery path;
+  path.start = pick(now_, joints);
+  path.goal = pick(target, joints);
+  path.scale = limits.velocity.cwiseInverse();
+  path.lower = path.start;
+  path.upper = path.start;
+  path.lower[0] = scene_.floor_x_min;
+  path.upper[0] = scene_.floor_x_max;
+  path.lower[1] = scene_.floor_y_min;
+  path.upper[1] = scene_.floor_y_max;
+  path.lower[2] = std::min(here.yaw, there.yaw) - std::numbers::pi / 2;
+  path.upper[2] = std::max(here.yaw, there.yaw) + std::numbers::pi / 2;
+  if (lift_ >= 0) {
+    path.lower[3] = model_.joints[static_cast<std::size_t>(lift_)].limits.lower;
+    path.upper[3] = model_.joints[static_cast<std::size_t>(lift_)].limits.upper;
+  }
+  Configuration scratch = now_;
+  path.is_free = [&](const JointVector& v) {
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      scratch[static_cast<std::size_t>(joints[i])] = v[static_cast<Eigen::Index>(i)];
+    return !checker_.collides(scratch, query);
+  };
+  path.stopped = stopped_;
+  PlannerLimits planner;
+  planner.range = 0.8;
+  auto corners = plan_path(path, planner);
+  if (!corners) {
+    auto error = corners.error();
+    const auto why = checker_.explain(target, query);
+    error.message = "cannot drive there: " + error.message + (why.empty() ? "" : " (" + why + ")");
+    return tl::unexpected<Error>(error);
+  }
+  return time_path(limits, round_corners(*corners, path.scale, 0.6, kSpacing, path.is_free));
+}
+
+JointTrajectory Workbench::move_fingers(std::size_t arm, double opening, double speed) const {
+  std::vector<int> joints;
+  for (const auto& name : model_.arms[arm].gripper.fingers) joints.push_back(model_.index_of(name));
+  // From the command where there is one: fingers that grip are measured short of it.
+  const Configuration& from = command_.size() == now_.size() ? command_ : now_;
+  return time_straight(timed(joints), pick(from, joints), pick(with_fingers(now_, arm, opening), joints),
+                       speed);
+}
+
+bool Workbench::is_tucked(std::size_t arm) const {
+  const auto posture = carry_posture(arm);
+  return posture && robot::largest_step(arm_of(now_, arm), *posture) < 0.05;
+}
+
+std::optional<ArmPositions> Workbench::carry_posture(std::size_t arm) const {
+  const ArmPositions current = arm_of(now_, arm);
+  const ArmPositions home = arm_of(model_.home(), arm);
+  if (!held_[arm]) return home;
+  if (carry_[arm]) return carry_[arm];
+  const CollisionQuery query{&checker_.arm_parts(arm), params_.margin, nullptr, true};
+  const Pose base = arm_base_pose(now_, arm);
+  const Pose object_now = base.inverse() * tool_pose(now_, arm) * held_[arm]->object_in_tool;
+  const double heading = std::atan2(object_now.linear()(1, 0), object_now.linear()(0, 0));
+  const double side = sides_[arm] > 0 ? 1.0 : -1.0;
+  std::optional<ArmPositions> best;
+  double least = 1e9;
+  for (const double turn : {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6, 2.2, -2.2, 3.1}) {
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(0.36, 0.20, -0.20), Eigen::Vector3d(0.36, 0.26, -0.10),
+          Eigen::Vector3d(0.42, 0.24, -0.18), Eigen::Vector3d(0.36, 0.24, 0.0),
+          Eigen::Vector3d(0.42, 0.30, -0.05), Eigen::Vector3d(0.34, 0.32, -0.25),
+          Eigen::Vector3d(0.48, 0.26, -0.1), Eigen::Vector3d(0.46, 0.30, 0.05)}) {
+      Pose object = Pose::Identity();
+      object.linear() = Eigen::AngleAxisd(heading + turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      Pose tool = object * held_[arm]->object_in_tool.inverse();
+      tool.translation() = Eigen::Vector3d(place.x(), side * place.y(), place.z());
+      for (const auto& q : arms_[arm].solve(tool, current, 12, 0.05)) {
+        double cost = std::abs(turn) * 0.3;
+        for (std::size_t i = 0; i < 7; ++i)
+          cost = std::max(cost, std::abs(q[i] - current[i]) + std::abs(turn) * 0.2);
+        if (cost >= least) continue;
+        if (checker_.collides(with_arm(now_, arm, q), query)) continue;
+        least = cost;
+        best = q;
+        break;
+      }
+    }
+    if (best && least < 1.6) break;
+  }
+  return best;
+}
+
+Expected<JointTrajectory> Workbench::tuck(std::size_t arm) {
+  const auto posture = carry_posture(arm);
+  if (!posture) return fail(Outcome::kMotionFailed, "no posture to carry what the hand holds");
+  auto motion = move_arm(arm, *posture, stand_of(now_).lift);
+  if (motion && held_[arm]) carry_[arm] = *posture;
+  return motion;
+}
+
+}  // namespace goalnet::manipulation
