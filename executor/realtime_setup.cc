@@ -20,6 +20,12 @@ std::optional<std::string> lock_process_memory() {
          "; allow it with LimitMEMLOCK or CAP_IPC_LOCK)";
 }
 
+void unlock_process_memory() {
+  munlockall();
+  mallopt(M_TRIM_THRESHOLD, 128 * 1024);  // the defaults of glibc
+  mallopt(M_MMAP_MAX, 65536);
+}
+
 void prefault_stack() {
   constexpr std::size_t kBytes = 256 * 1024;  // several times what the loop needs
   volatile unsigned char stack[kBytes];

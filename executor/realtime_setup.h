@@ -11,6 +11,9 @@ namespace goalnet::executor {
 // that it need not be faulted in again) and locks all pages. Returns what was not permitted, or nothing.
 std::optional<std::string> lock_process_memory();
 
+// Undoes lock_process_memory(), for programs that go on with other things.
+void unlock_process_memory();
+
 // Calling thread: touches its stack down to `bytes`, so that no page of it is faulted in later.
 void prefault_stack();
 
