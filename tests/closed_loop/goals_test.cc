@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"hot_kettle",
              {"(state Kettle Water)", "(On Kettle StoveFire_1)", "(state Stove StoveFire1)"},
              1}),
-    [](const testing::TestParamInfo<Case>& info) { return std::string(info.param.name); });
+    [](const testing::TestParamInfo<Case>& one) { return std::string(one.param.name); });
 
 }  // namespace
 }  // namespace goalnet

@@ -42,7 +42,9 @@ class Processes : public testing::Test {
     ros::ContextOptions options;
     options.domain_id = kDomain;
     context_ = ros::Context::create(options).value();
-    node_ = ros::Node::create(*context_, loop_, {.name = "person"}).value();
+    ros::NodeOptions node_options;
+    node_options.name = "person";
+    node_ = ros::Node::create(*context_, loop_, std::move(node_options)).value();
     goal_ = node_->advertise<GoalPredicates>("/goal");
     status_ =
         node_->subscribe<InstructionStatus>("/instruction_status", ros::Qos::latched().keep_last(1000),

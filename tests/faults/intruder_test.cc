@@ -25,7 +25,9 @@ class Intruder : public testing::Test {
     ros::ContextOptions options;
     options.domain_id = kDomain;
     context_ = ros::Context::create(options).value();
-    node_ = ros::Node::create(*context_, loop_, {.name = "intruder"}).value();
+    ros::NodeOptions node_options;
+    node_options.name = "intruder";
+    node_ = ros::Node::create(*context_, loop_, std::move(node_options)).value();
     status_ = node_->subscribe<InstructionStatus>(
         "/instruction_status", ros::Qos::latched().keep_last(1000),
         [this](const InstructionStatus& status) { seen_.push_back(status); });

@@ -67,15 +67,18 @@ int component_command(int argc, char** argv) {
     print_help();
     return 0;
   }
-  if (words.empty() || words[0].starts_with("-")) return refuse("which component? \"goalnet component --help\" lists them");
+  if (words.empty() || words[0].starts_with("-"))
+    return refuse("which component? \"goalnet component --help\" lists them");
   const ComponentKind* kind = find_component_kind(words[0]);
   if (kind == nullptr) {
-    return refuse("there is no component \"" + words[0].substr(0, 60) + "\"; \"goalnet component --help\" lists them");
+    return refuse("there is no component \"" + words[0].substr(0, 60) +
+                  "\"; \"goalnet component --help\" lists them");
   }
   const auto arguments = ros::parse_arguments({words.begin() + 1, words.end()});
   if (!arguments) return refuse(arguments.error().message);
   if (!arguments->remaining.empty()) {
-    return refuse("\"" + arguments->remaining[0].substr(0, 60) + "\" means nothing here; arguments for the node follow --ros-args");
+    return refuse("\"" + arguments->remaining[0].substr(0, 60) +
+                  "\" means nothing here; arguments for the node follow --ros-args");
   }
   return run(*kind, *arguments);
 }

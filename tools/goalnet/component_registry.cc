@@ -37,7 +37,8 @@ std::span<const ComponentKind> component_kinds() { return kKinds; }
 
 const ComponentKind* find_component_kind(std::string_view name) {
   const auto kinds = component_kinds();
-  const auto found = std::find_if(kinds.begin(), kinds.end(), [name](const ComponentKind& kind) { return kind.name == name; });
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [name](const ComponentKind& kind) { return kind.name == name; });
   return found == kinds.end() ? nullptr : &*found;
 }
 

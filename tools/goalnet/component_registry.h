@@ -11,7 +11,7 @@
 namespace goalnet::tools {
 
 struct ComponentKind {
-  std::string_view name;     // of the component and of its node
+  std::string_view name;  // of the component and of its node
   std::string_view summary;
   Expected<std::unique_ptr<ros::Component>> (*create)(ros::Node& node);
 };

@@ -13,6 +13,7 @@
 #include "goalnet_msgs/msg/GoalPredicates.h"
 #include "goalnet_msgs/msg/InstructionStatus.h"
 #include "goalnet_msgs/msg/WorldState.h"
+#include "sim/render.h"
 #include "sim/simulator_node.h"
 #include "std_msgs/msg/String.h"
 #include "tools/goalnet/component_registry.h"
@@ -37,7 +38,8 @@ ros::Arguments node_arguments(const LoopOptions& options, std::string_view compo
   if (simulator || executor) set("lockstep", true);
   if (simulator || manipulation || world_model) set("scene", options.scene);
   if (simulator || manipulation) set("seed", static_cast<std::int64_t>(options.seed));
-  if ((simulator || executor || manipulation || world_model) && !options.robot.empty()) set("robot", options.robot);
+  if ((simulator || executor || manipulation || world_model) && !options.robot.empty())
+    set("robot", options.robot);
   if (component == "goalnet" && !options.model.empty()) set("model", options.model);
   if (component == "coordinator") {
     if (options.max_steps > 0) set("max_steps", static_cast<std::int64_t>(options.max_steps));
@@ -120,12 +122,16 @@ Expected<void> LockstepLoop::Impl::add_observer(const LoopOptions& options) {
   goal = observer->advertise<GoalPredicates>("goal");
   // Latched topics keep one message for latecomers; we want to see every one.
   const ros::Qos every = ros::Qos::latched().keep_last(1000);
-  status = observer->subscribe<InstructionStatus>("instruction_status", every, [this](const InstructionStatus& message) {
-    if (events.on_status) events.on_status(coordinator::from_message(message));
-  });
-  action_status = observer->subscribe<ActionStatus>("action_status", ros::Qos::standard(), [this](const ActionStatus& message) {
-    if (events.on_stage) events.on_stage(message.stage(), message.progress());
-  });
+  status = observer->subscribe<InstructionStatus>("instruction_status", every,
+                                                  [this](const InstructionStatus& message) {
+                                                    if (events.on_status)
+                                                      events.on_status(coordinator::from_message(message));
+                                                  });
+  action_status = observer->subscribe<ActionStatus>("action_status", ros::Qos::standard(),
+                                                    [this](const ActionStatus& message) {
+                                                      if (events.on_stage)
+                                                        events.on_stage(message.stage(), message.progress());
+                                                    });
   world_state = observer->subscribe<goalnet_msgs::msg::WorldState>(
       "world_state", every, [this](const goalnet_msgs::msg::WorldState& message) {
         const auto world = messages::from_message(message);
@@ -148,8 +154,10 @@ Expected<std::unique_ptr<LockstepLoop>> LockstepLoop::create(const LoopOptions& 
   if (!context) return tl::unexpected<Error>(std::move(context.error()));
   impl->context = std::move(*context);
   impl->events = std::move(events);
-  if (auto added = impl->add_components(options); !added) return tl::unexpected<Error>(std::move(added.error()));
-  if (auto added = impl->add_observer(options); !added) return tl::unexpected<Error>(std::move(added.error()));
+  if (auto added = impl->add_components(options); !added)
+    return tl::unexpected<Error>(std::move(added.error()));
+  if (auto added = impl->add_observer(options); !added)
+    return tl::unexpected<Error>(std::move(added.error()));
   return std::unique_ptr<LockstepLoop>(new LockstepLoop(std::move(impl)));
 }
 
@@ -157,7 +165,8 @@ Expected<void> LockstepLoop::settle(double at_least, double limit) {
   const double start = sim_time();
   while (sim_time() - start < at_least || !impl_->world_seen) {
     if (sim_time() - start > limit) {
-      return fail(Outcome::kWorldStale, "the world model has said nothing for " + std::to_string(limit) + " s");
+      return fail(Outcome::kWorldStale,
+                  "the world model has said nothing for " + std::to_string(limit) + " s");
     }
     step();
   }
@@ -183,6 +192,10 @@ void LockstepLoop::step() {
   while (impl_->loop.run_pending()) {
   }
   impl_->simulator->tick();
+}
+
+Expected<void> LockstepLoop::picture(const std::string& path) const {
+  return sim::write_png(sim::render(impl_->simulator->world(), sim::Camera{}), path);
 }
 
 double LockstepLoop::sim_time() const { return impl_->observer->now().seconds(); }

@@ -1,5 +1,6 @@
-// All components in one process and one thread, over DDS, with the simulator as the clock: simulated time stands still
-// while components compute and moves on when nothing is left to be delivered. The same seed gives the same run.
+// All components in one process and one thread, over DDS, with the simulator as the clock: simulated time
+// stands still while components compute and moves on when nothing is left to be delivered. The same seed
+// gives the same run.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +21,11 @@ struct LoopOptions {
   std::string robot;              // file; empty: the default robot
   std::string model;              // file; empty: the shipped model
   std::uint64_t seed = 1;
-  std::uint32_t max_steps = 0;        // 0: the coordinator's default
-  double instruction_timeout = 0.0;   // [s] simulated; 0: the coordinator's default
-  bool console = false;               // components log to standard error, too (always to /rosout)
-  bool process_only = false;          // invisible to other processes
-  ros::Arguments arguments;           // given by a person; win over all of the above
+  std::uint32_t max_steps = 0;       // 0: the coordinator's default
+  double instruction_timeout = 0.0;  // [s] simulated; 0: the coordinator's default
+  bool console = false;              // components log to standard error, too (always to /rosout)
+  bool process_only = false;         // invisible to other processes
+  ros::Arguments arguments;          // given by a person; win over all of the above
 };
 
 // What is seen on the topics, in order of arrival. Called between simulation steps.
@@ -40,7 +41,8 @@ class LockstepLoop {
   static Expected<std::unique_ptr<LockstepLoop>> create(const LoopOptions& options, LoopEvents events);
   ~LockstepLoop();
 
-  // Lets things come to rest and the world be seen. kWorldStale if it is not within `limit` simulated seconds.
+  // Lets things come to rest and the world be seen. kWorldStale if it is not within `limit` simulated
+  // seconds.
   Expected<void> settle(double at_least = 0.5, double limit = 10.0);
 
   // As anyone could through DDS; read the outcome from on_status.
@@ -50,6 +52,9 @@ class LockstepLoop {
 
   // Delivers everything, then moves simulated time on by one tick (10 ms).
   void step();
+
+  // Writes a picture (PNG) of the room as it is now; takes about a second.
+  Expected<void> picture(const std::string& path) const;
 
   // [s] since the simulation began.
   double sim_time() const;

@@ -1,4 +1,5 @@
-// goalnet-robot: the commands of `goalnet` that bring DDS, Bullet and OMPL. People type `goalnet`; see command.h.
+// goalnet-robot: the commands of `goalnet` that bring DDS, Bullet and OMPL. People type `goalnet`; see
+// command.h.
 #include "tools/bench/bench_command.h"
 #include "tools/goalnet/command.h"
 #include "tools/goalnet/component_command.h"
@@ -17,5 +18,6 @@ constexpr Command kCommands[] = {
 }  // namespace goalnet::tools
 
 int main(int argc, char** argv) {
-  return goalnet::tools::dispatch(goalnet::tools::kCommands, "usage: goalnet-robot COMMAND (use: goalnet COMMAND)\n", argc, argv);
+  return goalnet::tools::dispatch(goalnet::tools::kCommands,
+                                  "usage: goalnet-robot COMMAND (use: goalnet COMMAND)\n", argc, argv);
 }

@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -18,15 +20,19 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-// After Ctrl-C: the robot gets this long to come to rest before we leave all the same. A whole second is promised.
+// After Ctrl-C: the robot gets this long to come to rest before we leave all the same. A whole second is
+// promised.
 constexpr std::chrono::milliseconds kPatience{800};
 
-double since(SteadyClock::time_point start) { return std::chrono::duration<double>(SteadyClock::now() - start).count(); }
+double since(SteadyClock::time_point start) {
+  return std::chrono::duration<double>(SteadyClock::now() - start).count();
+}
 
 RunLabel label_of(const RunOptions& options) {
   RunLabel label{options.instruction, options.scene, options.seed};
   if (!options.goal.empty()) {
-    for (const Predicate& fact : options.goal.positive) label.instruction += (label.instruction.empty() ? "" : " ") + to_string(fact);
+    for (const Predicate& fact : options.goal.positive)
+      label.instruction += (label.instruction.empty() ? "" : " ") + to_string(fact);
     for (const Predicate& fact : options.goal.negative) {
       label.instruction += (label.instruction.empty() ? "not " : " not ") + to_string(fact);
     }
@@ -82,6 +88,7 @@ class Run {
     } else {
       loop_->pursue(options_.goal);
     }
+    take_picture("start");
     bool cancelled = false;
     while (!record_.last().finished && stop.age() < kPatience) {
       if (stop.requested() && !cancelled) {
@@ -89,6 +96,9 @@ class Run {
         cancelled = true;
       }
       loop_->step();
+      if (const auto& done = record_.last().actions; done.size() >= pictures_ && !options_.render.empty()) {
+        take_picture(to_string(done.back()));
+      }
     }
     coordinator::Report last = record_.last();
     if (!last.finished) {
@@ -102,6 +112,18 @@ class Run {
 
  private:
   double sim_elapsed() const { return loop_ ? loop_->sim_time() - sim_start_ : 0.0; }
+
+  // "02-keep-on-Mug_1-Sink.png"; the first is "00-start.png". Trouble with pictures does not end a run.
+  void take_picture(std::string name) {
+    if (options_.render.empty()) return;
+    std::replace(name.begin(), name.end(), ' ', '-');
+    const std::string number = (pictures_ < 10 ? "0" : "") + std::to_string(pictures_);
+    ++pictures_;
+    std::error_code ignored;
+    std::filesystem::create_directories(options_.render, ignored);
+    const auto written = loop_->picture(options_.render + "/" + number + "-" + name + ".png");
+    if (!written) std::cerr << "goalnet run: " << written.error().message << "\n";
+  }
 
   void tell(const coordinator::Report& last) {
     const double sim_time = sim_elapsed(), wall_time = since(start_);
@@ -119,6 +141,7 @@ class Run {
   RunRecord record_;
   SteadyClock::time_point start_ = SteadyClock::now();
   double sim_start_ = 0.0;
+  std::size_t pictures_ = 0;
   std::unique_ptr<LockstepLoop> loop_;
 };
 
@@ -131,7 +154,8 @@ int run_command(int argc, char** argv) {
   const auto arguments = ros::parse_arguments(parsed.options.ros_arguments);
   if (!arguments) return refuse(parsed.options, arguments.error());
   Run run(parsed.options);
-  if (const auto prepared = run.prepare(*arguments); !prepared) return refuse(parsed.options, prepared.error());
+  if (const auto prepared = run.prepare(*arguments); !prepared)
+    return refuse(parsed.options, prepared.error());
   return run.carry_out();
 }
 

@@ -60,7 +60,9 @@ ParsedRun parse_run_options(int argc, char** argv) {
       ->check(CLI::Range(1, 1000));
   app.add_option("--max-sim-time", options.max_sim_time, "Simulated seconds before giving up [1800]")
       ->check(CLI::Range(0.1, 1e6));
-  app.add_flag("-v,--verbose", options.verbose, "The components' logs on standard error as well as on /rosout");
+  app.add_option("--render", options.render, "Folder for a picture (PNG) after each action; about 1 s each");
+  app.add_flag("-v,--verbose", options.verbose,
+               "The components' logs on standard error as well as on /rosout");
   app.add_flag("--json", options.json, "One JSON object on standard output and nothing else");
   const auto refuse = [&parsed](std::string message) {
     parsed.refused = Error{Outcome::kInvalidRequest, std::move(message)};

@@ -20,8 +20,9 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::uint32_t max_steps = 0;  // 0: the coordinator's parameter
   double max_sim_time = 0.0;    // [s] 0: the coordinator's parameter
+  std::string render;           // folder for a picture after each action; empty: none
   bool json = false;
-  bool verbose = false;         // components log to standard error
+  bool verbose = false;                    // components log to standard error
   std::vector<std::string> ros_arguments;  // after --ros-args
 };
 

@@ -34,7 +34,8 @@ struct StopSignal::Impl {
   std::function<void()> on_signal;
   int read_end = -1;
   int write_end = -1;
-  struct sigaction old_int{}, old_term{};
+  struct sigaction old_int {
+  }, old_term{};
   std::atomic<std::int64_t> first{0};  // steady clock, 0: none
   std::thread thread;
 
@@ -60,7 +61,7 @@ StopSignal::StopSignal(std::function<void()> on_signal) : impl_(new Impl) {
   }
   signal_count = 0;
   signal_pipe = impl_->write_end;
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_handler = handle;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, &impl_->old_int);

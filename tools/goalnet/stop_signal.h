@@ -6,8 +6,8 @@
 
 namespace goalnet::tools {
 
-// One at a time in a process. While it lives, SIGINT and SIGTERM are counted instead of ending the process; the second
-// one ends it at once, for people who have lost patience.
+// One at a time in a process. While it lives, SIGINT and SIGTERM are counted instead of ending the process;
+// the second one ends it at once, for people who have lost patience.
 class StopSignal {
  public:
   // `on_signal` is called from a thread of its own at the first signal: for interrupting long computations.
