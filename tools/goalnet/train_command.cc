@@ -3,9 +3,9 @@
 #include <chrono>
 #include <cstdio>
 
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "tools/goalnet/train_kinds.h"
 
@@ -17,7 +17,8 @@ class ProgressLine {
  public:
   void show(double done, const std::string& measured) {
     const auto now = std::chrono::steady_clock::now();
-    if (done < 1 && now - shown_ < (terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(10))) return;
+    if (done < 1 && now - shown_ < (terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(10)))
+      return;
     shown_ = now;
     if (first_share_ < 0) first_share_ = done;
     const double spent = std::chrono::duration<double>(now - begin_).count();
@@ -25,16 +26,19 @@ class ProgressLine {
     std::string left = "--:--";
     if (gained > 0) {
       const int seconds = static_cast<int>(spent / gained * (1 - done));
-      left = std::to_string(seconds / 60) + ":" + (seconds % 60 < 10 ? "0" : "") + std::to_string(seconds % 60);
+      left =
+          std::to_string(seconds / 60) + ":" + (seconds % 60 < 10 ? "0" : "") + std::to_string(seconds % 60);
     }
-    std::fprintf(stderr, "%s%3d %%  %s left  %s%s", terminal_ ? "\r" : "", static_cast<int>(done * 100), left.c_str(),
-                 measured.c_str(), terminal_ ? "\x1b[K" : "\n");
+    std::fprintf(stderr, "%s%3d %%  %s left  %s%s", terminal_ ? "\r" : "", static_cast<int>(done * 100),
+                 left.c_str(), measured.c_str(), terminal_ ? "\x1b[K" : "\n");
     std::fflush(stderr);
   }
   void finish() const {
     if (terminal_) std::fputc('\n', stderr);
   }
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
 
  private:
   bool terminal_ = isatty(STDERR_FILENO) != 0;
@@ -59,7 +63,8 @@ int train_command(int argc, char** argv) {
   app.add_option("DIR", data, "folder of demonstrations (*.json)")->required();
   app.add_option("-o,--out", out, "the model file to write")->required();
   std::string kinds;
-  for (const TrainKind& kind : train_kinds()) kinds += "\n  " + std::string(kind.name) + ": " + std::string(kind.summary);
+  for (const TrainKind& kind : train_kinds())
+    kinds += "\n  " + std::string(kind.name) + ": " + std::string(kind.summary);
   app.add_option("--model", model, "what to train:" + kinds);
   app.add_option("--seed", request.seed, "fixes everything that is random");
   app.add_option("--set", settings, "a setting of the training, NAME=VALUE (repeatable)");
@@ -76,14 +81,17 @@ int train_command(int argc, char** argv) {
   };
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) return failed({Outcome::kInvalidRequest, "--set " + setting + " should be NAME=VALUE"});
+    if (equals == std::string::npos)
+      return failed({Outcome::kInvalidRequest, "--set " + setting + " should be NAME=VALUE"});
     request.settings[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
   const TrainKind* kind = nullptr;
   for (const TrainKind& known : train_kinds()) {
     if (known.name == model) kind = &known;
   }
-  if (kind == nullptr) return failed({Outcome::kInvalidRequest, "there is no model \"" + model + "\" in this build; there are:" + kinds});
+  if (kind == nullptr)
+    return failed(
+        {Outcome::kInvalidRequest, "there is no model \"" + model + "\" in this build; there are:" + kinds});
   request.data = data;
   request.out = out;
   request.command = typed(argc, argv);
@@ -93,7 +101,12 @@ int train_command(int argc, char** argv) {
   line.finish();
   if (!trained) return failed(trained.error());
   if (json) {
-    std::printf("%s\n", nlohmann::json({{"model", out}, {"kind", model}, {"seed", request.seed}, {"wall_time_s", line.seconds()}}).dump().c_str());
+    std::printf(
+        "%s\n",
+        nlohmann::json(
+            {{"model", out}, {"kind", model}, {"seed", request.seed}, {"wall_time_s", line.seconds()}})
+            .dump()
+            .c_str());
   } else {
     std::fprintf(stderr, "wrote %s after %.0f s\n", out.c_str(), line.seconds());
   }

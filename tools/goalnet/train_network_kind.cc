@@ -17,7 +17,9 @@ Expected<void> train_network_kind(const TrainRequest& request) {
   const auto vectors = read_word_vectors({folder / "conceptnet.json", folder / "vocab.json"});
   if (!vectors) return tl::unexpected(vectors.error());
   if (vectors->empty()) {
-    std::fprintf(stderr, "goalnet train: no word vectors (conceptnet.json) beside %s: words are learned from the sentences alone\n",
+    std::fprintf(stderr,
+                 "goalnet train: no word vectors (conceptnet.json) beside %s: words are learned from the "
+                 "sentences alone\n",
                  request.data.c_str());
   }
   TrainOptions options;
@@ -29,8 +31,8 @@ Expected<void> train_network_kind(const TrainRequest& request) {
   if (request.fresh) std::filesystem::remove(options.checkpoint);
   const auto report = [&](const EpochReport& epoch) {
     char text[120];
-    std::snprintf(text, sizeof text, "epoch %d of %d: loss %.3f, whole goals right %.1f %%", epoch.epoch + 1, epoch.epochs, epoch.loss,
-                  100 * epoch.accuracy);
+    std::snprintf(text, sizeof text, "epoch %d of %d: loss %.3f, whole goals right %.1f %%", epoch.epoch + 1,
+                  epoch.epochs, epoch.loss, 100 * epoch.accuracy);
     if (request.progress) request.progress(static_cast<double>(epoch.epoch + 1) / epoch.epochs, text);
   };
   const auto trained = train_network(*demonstrations, {}, *vectors, options, report);

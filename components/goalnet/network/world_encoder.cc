@@ -107,8 +107,13 @@ void WorldEncoder::read_facts(const WorldState& state, EncodedWorld& out) {
     } else if (fact.relation == "On" || fact.relation == "In") {
       const int object = index_.find(fact.object);
       const bool in = fact.relation == "In";
-      if (subject < 0 || object < 0 || subject == object)
-        continue;  // (On GarbageBin_1 GarbageBin_1) stands in many states
+      if (subject < 0 || object < 0) continue;
+      if (subject == object) continue;  // (On GarbageBin_1 GarbageBin_1) stands in many states
+      // Where no demonstration puts anything, lying there says nothing: a real world reports (On X Counter_1)
+      // for everything that nobody has moved yet.
+      const GoalRelation relation = in ? GoalRelation::kIn : GoalRelation::kOn;
+      if (out.class_id[at(object)] >= 0 && !grammar_.second_allowed(relation, out.class_id[at(object)]))
+        continue;
       add(subject, in ? kInSomething : kOnSomething, 1);
       add(object, kCarriesSomething, 1);
       out.edges.push_back({object, subject, in ? 2 : 0});
