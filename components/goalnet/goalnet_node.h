@@ -1,0 +1,54 @@
+// The goal model as a ROS 2 node.
+//
+// In:  step_request (goalnet_msgs/StepRequest), world_state (goalnet_msgs/WorldState, latched).
+// Out: goal_predicates (goalnet_msgs/GoalPredicates): one answer to every request; complete where nothing is
+// left to do,
+//      an outcome other than 0 and a message where the sentence means nothing here.
+// A request waits for a world state that is not older than its stamp. The same request sent again gets the
+// same answer. Step 0, or another instruction id, begins a new history.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "components/goalnet/goal_model.h"
+#include "components/ros/node.h"
+#include "goalnet_msgs/msg/GoalPredicates.h"
+#include "goalnet_msgs/msg/StepRequest.h"
+#include "goalnet_msgs/msg/WorldState.h"
+
+namespace goalnet::inference {
+
+// Belongs to the thread of the node's event loop.
+class GoalnetNode : public ros::Component {
+ public:
+  // Parameter: model (file). Fails with kInvalidRequest where it cannot be loaded.
+  static Expected<std::unique_ptr<GoalnetNode>> create(ros::Node& node);
+
+ private:
+  GoalnetNode(ros::Node& node, std::unique_ptr<GoalModel> model);
+  void open_topics();
+  void on_request(const goalnet_msgs::msg::StepRequest& message);
+  void on_world(const goalnet_msgs::msg::WorldState& message);
+  bool world_is_new_enough(const goalnet_msgs::msg::StepRequest& message) const;
+  void answer(const goalnet_msgs::msg::StepRequest& message);
+
+  ros::Node& node_;
+  std::unique_ptr<GoalModel> model_;
+  std::optional<WorldState> world_;
+  std::int64_t world_stamp_ = 0;  // [ns]
+  std::optional<goalnet_msgs::msg::StepRequest> waiting_;
+  std::optional<goalnet_msgs::msg::GoalPredicates> last_answer_;
+
+  // Of the instruction under way: the worlds seen and the goals inferred, one each a step.
+  std::vector<WorldState> states_;
+  std::vector<Goal> goals_;
+
+  std::shared_ptr<ros::Publisher<goalnet_msgs::msg::GoalPredicates>> goal_predicates_;
+  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::StepRequest>> request_;
+  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state_;
+};
+
+}  // namespace goalnet::inference
