@@ -8,6 +8,8 @@ namespace {
 
 // A finger presses with this at least as soon as it is blocked [N].
 constexpr double kFingerPreload = 10.0;
+// A finger slower than this that is not where it should be is blocked [m/s].
+constexpr double kBlocked = 0.02;
 
 }  // namespace
 
@@ -73,8 +75,16 @@ void RobotServo::apply(double dt) {
   }
   dynamics_.compute(position_, velocity_, acceleration_, effort_);
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const double limit = targets_[i].finger && !targets_[i].held ? finger_force(i) : targets_[i].max_effort;
-    effort_[i] = std::clamp(effort_[i], -limit, limit);
+    const Target& target = targets_[i];
+    double effort = effort_[i];
+    if (target.finger && !target.held && !target.frozen) {
+      // Fingers are gentle while they move; once something blocks them they press like a spring towards their
+      // target.
+      effort = std::clamp(effort, -kFingerPreload, kFingerPreload);
+      if (std::abs(velocity_[i]) < kBlocked)
+        effort += options_.grip_stiffness * (target.position - position_[i]);
+    }
+    effort_[i] = std::clamp(effort, -target.max_effort, target.max_effort);
     body_.body().addJointTorque(static_cast<int>(i), effort_[i]);
   }
 }

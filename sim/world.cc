@@ -83,9 +83,21 @@ struct World::Parts {
       }
     }
     physics.add_articulated(robot, names, kRobotGroup, kStaticGroup | kObjectGroup | kPartGroup);
+    for (std::size_t i = 0; i < robot_model.joints.size(); ++i) {
+      const robot::JointLimits& limits = robot_model.joints[i].limits;
+      if (!std::isfinite(limits.lower) || !std::isfinite(limits.upper)) continue;
+      // Hard stops, a little beyond the limits so that they do not fight the servo there.
+      const double slack = 0.002;
+      stops.push_back(std::make_unique<btMultiBodyJointLimitConstraint>(
+          &robot.body(), static_cast<int>(i), limits.lower - slack, limits.upper + slack));
+      physics.world().addMultiBodyConstraint(stops.back().get());
+    }
     rules_every = std::max(1L, std::lround(kRulePeriod / options.physics_step));
   }
-  ~Parts() { physics.remove(robot); }
+  ~Parts() {
+    for (auto& stop : stops) physics.world().removeMultiBodyConstraint(stop.get());
+    physics.remove(robot);
+  }
 
   void run_rules(double dt) {
     DeviceInput input;
@@ -110,6 +122,7 @@ struct World::Parts {
   ArticulatedBody robot;
   RobotServo servo;
   Grasping grasping;
+  std::vector<std::unique_ptr<btMultiBodyJointLimitConstraint>> stops;
   DeviceRules rules;
   long steps = 0;
   long rules_every = 1;

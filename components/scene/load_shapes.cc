@@ -10,18 +10,20 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMaxLength = 50.0;    // [m]
 constexpr double kMinLength = 0.0005;  // [m] thinner things make contacts unreliable
 
-// A hollow cylinder as a closed chain of boxes: outer radius, wall thickness, height (axis z, centred).
-void append_ring(const std::vector<double>& size, int segments, const Shape& prototype,
+// A hollow cylinder (or, with `flare`, a cone that widens upwards) as a closed chain of boxes: outer radius
+// at the top, wall thickness, height; axis z, centred.
+void append_ring(const std::vector<double>& size, double flare, int segments, const Shape& prototype,
                  std::vector<Shape>& shapes) {
   const double outer = size[0], wall = size[1], height = size[2];
   const double half_angle = std::numbers::pi / segments;
+  const double middle = outer - (wall / 2.0) / std::cos(flare) - height / 2.0 * std::tan(flare);
   for (int i = 0; i < segments; ++i) {
     Shape box = prototype;
     box.kind = ShapeKind::kBox;
-    box.size = {wall, 2.0 * outer * std::tan(half_angle), height};
+    box.size = {wall, 2.0 * outer * std::tan(half_angle), height / std::cos(flare)};
     const double angle = 2.0 * half_angle * i;
     box.pose = prototype.pose * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) *
-               Eigen::Translation3d(outer - wall / 2.0, 0.0, 0.0);
+               Eigen::Translation3d(middle, 0.0, 0.0) * Eigen::AngleAxisd(flare, Eigen::Vector3d::UnitY());
     shapes.push_back(box);
   }
 }
@@ -65,7 +67,11 @@ std::vector<Shape> read_shapes(YamlReader& owner, const std::string& key) {
       const auto size = reader.numbers("ring", 3, kMinLength, kMaxLength);
       const int segments = static_cast<int>(reader.number("segments", 6, 48, 12));
       if (size[1] >= size[0]) reader.mistake_at("ring", "the wall of a ring must be thinner than its radius");
-      append_ring(size, segments, shape, shapes);
+      const double flare = kDegree * reader.number("flare", 0.0, 60.0, 0.0);
+      if (size[0] - size[1] - size[2] * std::tan(flare) < 0.002) {
+        reader.mistake_at("ring", "this ring closes at its bottom; use a larger radius or less flare");
+      }
+      append_ring(size, flare, segments, shape, shapes);
     }
     reader.finish();
   }
