@@ -1,0 +1,45 @@
+// Conditions in negation normal form: 'not' only before atoms and equalities, derived predicates replaced by their
+// definitions, constants folded.
+#pragma once
+
+#include <vector>
+
+#include "components/planner/domain.h"
+
+namespace goalnet::planner {
+
+class Normaliser {
+ public:
+  // `slots` are the variables' types; inlined definitions add more. `fixed` replaces some variables (case splits).
+  Normaliser(const Domain& domain, std::vector<TypeSet>& slots) : domain_(domain), slots_(slots) {}
+
+  void fix(std::int32_t slot, ObjectId object) { fixed_.push_back({slot, Term::object(object)}); }
+  // Declares that the variable is none of these constants: equalities with them are false.
+  void exclude(std::int32_t slot, ObjectId object) { excluded_.push_back({slot, object}); }
+
+  Formula normalise(const Formula& formula, bool negated = false) const;
+  AtomPattern substitute(const AtomPattern& atom) const;
+
+ private:
+  struct Replacement {
+    std::int32_t slot;
+    Term term;
+  };
+  struct Exclusion {
+    std::int32_t slot;
+    ObjectId object;
+  };
+
+  Term substitute(Term term) const;
+  Formula atom(const Formula& formula, bool negated) const;
+  Formula equality(const Formula& formula, bool negated) const;
+  Formula junction(bool conjunction, std::vector<Formula> children) const;
+  Formula inlined(const AtomPattern& use, bool negated) const;
+
+  const Domain& domain_;
+  std::vector<TypeSet>& slots_;
+  std::vector<Replacement> fixed_;
+  std::vector<Exclusion> excluded_;
+};
+
+}  // namespace goalnet::planner

@@ -1,0 +1,274 @@
+#include "components/planner/planner.h"
+
+#include <algorithm>
+
+#include "components/planner/greedy_search.h"
+#include "components/planner/grounder.h"
+#include "components/planner/normal_form.h"
+#include "components/planner/one_action.h"
+#include "components/planner/optimal_search.h"
+#include "components/planner/world.h"
+
+namespace goalnet::planner {
+namespace {
+
+using Clock = Budget::Clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+struct Planner::Impl {
+  explicit Impl(const Domain& the_domain)
+      : domain(the_domain), compiled(the_domain), index(compiled), one_action(compiled), grounder(compiled),
+        scratch(the_domain) {}
+
+  Expected<Plan> solve(const Problem& problem, const SolveOptions& options);
+
+  const Domain& domain;
+  CompiledDomain compiled;
+  ProblemIndex index;
+  OneAction one_action;
+  Grounder grounder;
+  GroundTask task;
+  RelaxedTask relaxed;
+  LmCut lm_cut;
+  RelaxedPlanner relaxed_planner;
+  OptimalSearch optimal;
+  GreedySearch greedy;
+  Problem scratch;  // for solve(WorldState, Goal)
+  std::vector<GoalLiteral> literals;
+  std::vector<Word> initial;
+  std::vector<std::int32_t> best;  // actions of the best plan so far
+  bool exhausted = false;          // the search proved that there is no (better) plan
+
+ private:
+  Action name_of(std::int32_t schema, const ObjectId* binding) const;
+  std::int64_t cost_of(const std::vector<std::int32_t>& actions) const;
+  Expected<Plan> stopped(const Budget& budget, const SolveOptions& options) const;
+  Expected<Plan> finish(Plan plan, bool found, const Budget& budget, const SolveOptions& options);
+  Expected<Plan> search(const Problem& problem, const SolveOptions& options, Budget& budget);
+  std::string unreachable_message();
+  void improve(Plan& plan, bool& found, const SolveOptions& options, Budget& budget);
+};
+
+Action Planner::Impl::name_of(std::int32_t schema, const ObjectId* binding) const {
+  const CompiledSchema& compiled_schema = compiled.schemas[static_cast<std::size_t>(schema)];
+  const ActionSchema& action = domain.actions[static_cast<std::size_t>(compiled_schema.action)];
+  Action result{action.name, {}};
+  for (std::int32_t i = 0; i < action.parameter_count; ++i) {
+    result.arguments.push_back(index.problem().object_name(binding[i]));
+  }
+  return result;
+}
+
+std::int64_t Planner::Impl::cost_of(const std::vector<std::int32_t>& actions) const {
+  std::int64_t cost = 0;
+  for (const std::int32_t action : actions) cost += task.actions[static_cast<std::size_t>(action)].cost;
+  return cost;
+}
+
+Expected<Plan> Planner::Impl::stopped(const Budget& budget, const SolveOptions& options) const {
+  if (budget.reason() == Budget::Reason::kCancelled) return fail(Outcome::kCancelled, "planning was cancelled");
+  const double limit = std::chrono::duration<double>(options.time_limit).count();
+  return fail(Outcome::kTimeLimit, "no plan found within " + std::to_string(limit) +
+                                       " s; that there is none is not known");
+}
+
+Expected<Plan> Planner::Impl::solve(const Problem& problem, const SolveOptions& options) {
+  if (&problem.domain() != &domain) {
+    return fail(Outcome::kInvalidRequest, "the problem belongs to domain " + problem.domain().name +
+                                              ", the planner to " + domain.name);
+  }
+  Budget budget(options.stop, options.time_limit);
+  if (budget.check()) return stopped(budget, options);
+  const auto start = Clock::now();
+  index.restart(problem);
+  if (simple_goal(domain, problem.goal, &literals)) {
+    for (std::size_t i = 0; i < literals.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (literals[i].negative != literals[j].negative && *literals[i].atom == *literals[j].atom) {
+          std::string text = "(" + domain.predicates.name(literals[i].atom->predicate);
+          for (const Term term : literals[i].atom->arguments) text += " " + problem.object_name(term.value);
+          return fail(Outcome::kNoPlan, "the goal contradicts itself: " + text + ") and (not " + text + "))");
+        }
+      }
+    }
+    const bool reached = std::all_of(literals.begin(), literals.end(), [&](const GoalLiteral& literal) {
+      return index.holds_initially(*literal.atom, nullptr) != literal.negative;
+    });
+    if (reached) {
+      Plan plan;
+      plan.optimal = true;
+      plan.statistics.method = "nothing to do";
+      plan.statistics.search_seconds = seconds_since(start);
+      return plan;
+    }
+    if (!problem.minimise_cost) {
+      if (const auto found = one_action.find(index, literals)) {
+        Plan plan;
+        plan.actions.push_back(name_of(found->schema, found->binding.data()));
+        plan.cost = plan.lower_bound = 1;
+        plan.optimal = true;
+        plan.statistics.method = "one action";
+        plan.statistics.search_seconds = seconds_since(start);
+        return plan;
+      }
+    }
+  }
+  return search(problem, options, budget);
+}
+
+Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions& options, Budget& budget) {
+  const auto start = Clock::now();
+  std::vector<TypeSet> slots = problem.goal_slots;
+  const Formula goal = Normaliser(domain, slots).normalise(problem.goal);
+  const Grounder::Result grounded = grounder.ground(index, goal, slots, budget, task);
+  if (grounded == Grounder::Result::kStopped) return stopped(budget, options);
+  if (grounded == Grounder::Result::kTooLarge) {
+    return fail(Outcome::kStepLimit, "the goal needs more than " + std::to_string(Grounder::kMostActions) +
+                                         " ground actions; that is too large for this planner");
+  }
+  if (task.goal_impossible) return fail(Outcome::kNoPlan, "there is no plan: the goal can never hold");
+  Plan plan;
+  plan.statistics.ground_actions = static_cast<std::int64_t>(task.actions.size());
+  plan.statistics.ground_facts = task.atoms.size();
+  relaxed.build(task);
+  initial_state(task, &initial);
+  plan.statistics.grounding_seconds = seconds_since(start);
+  const auto search_start = Clock::now();
+
+  bool found = all_hold(task, initial.data(), task.goal);
+  best.clear();
+  exhausted = false;
+  if (found) {
+    plan.optimal = true;
+    plan.statistics.method = "nothing to do";
+    return plan;
+  }
+  lm_cut.restart(relaxed);
+  relaxed_planner.restart(relaxed);
+  ++plan.statistics.evaluated;
+  const std::int64_t estimate = lm_cut.evaluate(initial.data(), budget);
+  if (estimate >= LmCut::kDeadEnd) return fail(Outcome::kNoPlan, unreachable_message());
+  plan.lower_bound = estimate;
+  found = relaxed_planner.execute(initial.data(), budget, &best);
+  if (found) {
+    plan.cost = cost_of(best);
+    plan.statistics.method = "relaxed plan";
+    plan.optimal = plan.cost == plan.lower_bound;
+  }
+  if (!plan.optimal && !(found && options.satisficing) && !budget.check()) improve(plan, found, options, budget);
+  plan.statistics.search_seconds = seconds_since(search_start);
+  return finish(std::move(plan), found, budget, options);
+}
+
+// Optimal search, with a satisficing one in between where that gives a first plan sooner.
+void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options, Budget& budget) {
+  constexpr std::int64_t kFirstNodes = 2000;     // most household problems end before
+  constexpr std::int64_t kFirstStates = 20'000;  // of the greedy search while the optimal one still has hope
+  SearchLimits limits;
+  limits.bytes = options.memory_limit;
+  if (found) limits.upper_bound = plan.cost;
+  const auto greedily = [&](std::int64_t most_states, Budget& time) {
+    const auto result = greedy.search(task, relaxed_planner, initial.data(), limits.upper_bound, most_states,
+                                      options.memory_limit / 2, time, plan.statistics);
+    if (result == GreedySearch::Result::kFound) {
+      best = greedy.plan();
+      plan.cost = limits.upper_bound = cost_of(best);
+      plan.statistics.method = "greedy search";
+      found = true;
+    }
+    return result;
+  };
+  if (options.satisficing) {
+    greedily(INT64_MAX, budget);
+    plan.optimal = found && plan.cost == plan.lower_bound;
+    return;
+  }
+  optimal.start(task, lm_cut, initial.data(), plan.lower_bound);
+  limits.nodes = options.node_limit > 0 ? std::min(options.node_limit, kFirstNodes) : kFirstNodes;
+  auto result = optimal.resume(limits, budget, plan.statistics);
+  if (result == OptimalSearch::Result::kNodeLimit) {
+    if (!found) {
+      // With a time limit the greedy search may have half of what is left.
+      Budget half(options.stop, budget.limited() ? (budget.deadline() - Clock::now()) / 2 : std::chrono::seconds(0));
+      greedily(kFirstStates, half);
+    }
+    limits.nodes = options.node_limit;
+    // Without a plan so far some time must be left for finding one.
+    if (!found && budget.limited()) {
+      Budget part(options.stop, (budget.deadline() - Clock::now()) / 2);
+      result = optimal.resume(limits, part, plan.statistics);
+    } else {
+      result = optimal.resume(limits, budget, plan.statistics);
+    }
+  }
+  plan.lower_bound = std::max(plan.lower_bound, optimal.lower_bound());
+  if (result == OptimalSearch::Result::kFound) {
+    best = optimal.plan();
+    plan.cost = plan.lower_bound = cost_of(best);
+    plan.optimal = found = true;
+    plan.statistics.method = "A*";
+  } else if (result == OptimalSearch::Result::kExhausted) {
+    plan.optimal = found;
+    plan.lower_bound = plan.cost;
+    exhausted = true;
+  } else if (!found && !budget.check()) {
+    exhausted = greedily(INT64_MAX, budget) == GreedySearch::Result::kExhausted;
+  }
+  plan.lower_bound = found ? std::min(plan.lower_bound, plan.cost) : plan.lower_bound;
+  plan.optimal = found && plan.lower_bound == plan.cost;
+}
+
+std::string Planner::Impl::unreachable_message() {
+  if (task.goal.size() > 1) {
+    for (const ConditionId condition : task.goal) {
+      if (condition < 0 || lm_cut.reachable(condition)) continue;
+      const AtomRef atom = task.atoms[condition >> 1];
+      std::string text = "(" + domain.predicates.name(atom.predicate);
+      for (const ObjectId id : atom.arguments) text += " " + index.problem().object_name(id);
+      text += ")";
+      return "there is no plan: nothing can make " + ((condition & 1) != 0 ? "(not " + text + ")" : text) + " true";
+    }
+  }
+  return "there is no plan: nothing leads to the goal";
+}
+
+Expected<Plan> Planner::Impl::finish(Plan plan, bool found, const Budget& budget, const SolveOptions& options) {
+  if (budget.reason() == Budget::Reason::kCancelled) return stopped(budget, options);
+  if (!found) {
+    if (exhausted) return fail(Outcome::kNoPlan, "there is no plan: every state that could lead on was tried");
+    if (budget.reason() == Budget::Reason::kTime) return stopped(budget, options);
+    return fail(Outcome::kStepLimit, "no plan found within the memory and node limits; that there is none is not known");
+  }
+  for (const std::int32_t action : best) {
+    const GroundAction& ground = task.actions[static_cast<std::size_t>(action)];
+    plan.actions.push_back(name_of(ground.schema, task.bindings.data() + ground.binding));
+  }
+  return plan;
+}
+
+Planner::Planner(const Domain& domain) : impl_(std::make_unique<Impl>(domain)) {}
+Planner::~Planner() = default;
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+
+const Domain& Planner::domain() const { return impl_->domain; }
+
+Expected<Plan> Planner::solve(const Problem& problem, const SolveOptions& options) {
+  return impl_->solve(problem, options);
+}
+
+Expected<Plan> Planner::solve(const WorldState& state, const Goal& goal, const SolveOptions& options) {
+  if (auto made = make_problem(state, goal, impl_->scratch); !made) return tl::unexpected(made.error());
+  return impl_->solve(impl_->scratch, options);
+}
+
+Expected<Plan> solve(const Domain& domain, const Problem& problem, const SolveOptions& options) {
+  return Planner(domain).solve(problem, options);
+}
+
+}  // namespace goalnet::planner

@@ -1,0 +1,100 @@
+#include "components/planner/relaxed_task.h"
+
+namespace goalnet::planner {
+namespace {
+
+// Rows of a compressed table: counts become ends, then items are filled in backwards.
+template <class ForEach>
+void fill_rows(std::size_t rows, std::vector<std::uint32_t>& begin, std::vector<std::int32_t>& values,
+               const ForEach& for_each) {
+  begin.assign(rows + 1, 0);
+  for_each([&](std::int32_t row, std::int32_t) { ++begin[static_cast<std::size_t>(row)]; });
+  std::uint32_t total = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    total += begin[i];
+    begin[i] = total;
+  }
+  begin[rows] = total;
+  values.resize(total);
+  for_each([&](std::int32_t row, std::int32_t value) { values[--begin[static_cast<std::size_t>(row)]] = value; });
+}
+
+}  // namespace
+
+void RelaxedTask::add_operator(std::int32_t action, std::span<const ConditionId> first,
+                               std::span<const ConditionId> second) {
+  RelaxedOperator op;
+  op.action = action;
+  op.precondition_begin = static_cast<std::uint32_t>(preconditions_.size());
+  for (const ConditionId condition : first) preconditions_.push_back(of(condition));
+  for (const ConditionId condition : second) preconditions_.push_back(of(condition));
+  if (preconditions_.size() == op.precondition_begin) preconditions_.push_back(always());
+  op.precondition_end = static_cast<std::uint32_t>(preconditions_.size());
+  op.effect_begin = op.effect_end = static_cast<std::uint32_t>(effects_.size());
+  operators_.push_back(op);
+}
+
+void RelaxedTask::build(const GroundTask& task) {
+  task_ = &task;
+  literals_ = task.needed.size();
+  goal_ = static_cast<Proposition>(literals_ + task.junctions.size());
+  operators_.clear();
+  preconditions_.clear();
+  effects_.clear();
+  tracked_.clear();
+  for (std::size_t literal = 0; literal < literals_; ++literal) {
+    if (task.needed[literal] != 0) tracked_.push_back(static_cast<Literal>(literal));
+  }
+  for (std::size_t a = 0; a < task.actions.size(); ++a) {
+    const GroundAction& action = task.actions[a];
+    const auto id = static_cast<std::int32_t>(a);
+    bool open = false;
+    for (const GroundEffect& effect : task.effects_of(action)) {
+      if (effect.conditional() || task.needed[static_cast<std::size_t>(effect.literal)] == 0) continue;
+      if (!open) add_operator(id, task.preconditions(action), {});
+      open = true;
+      effects_.push_back(effect.literal);
+      ++operators_.back().effect_end;
+    }
+    for (const GroundEffect& effect : task.effects_of(action)) {
+      if (!effect.conditional() || task.needed[static_cast<std::size_t>(effect.literal)] == 0) continue;
+      add_operator(id, task.preconditions(action), task.conditions_of(effect));
+      effects_.push_back(effect.literal);
+      ++operators_.back().effect_end;
+    }
+  }
+  for (std::size_t j = 0; j < task.junctions.size(); ++j) {
+    const Junction& junction = task.junctions[j];
+    const auto children = task.children(junction);
+    for (std::size_t i = 0; i < (junction.conjunction ? 1 : children.size()); ++i) {
+      add_operator(-1, junction.conjunction ? children : children.subspan(i, 1), {});
+      effects_.push_back(static_cast<Proposition>(literals_ + j));
+      ++operators_.back().effect_end;
+    }
+  }
+  add_operator(-1, task.goal, {});
+  effects_.push_back(goal_);
+  ++operators_.back().effect_end;
+  index();
+}
+
+void RelaxedTask::index() {
+  const auto propositions = static_cast<std::size_t>(proposition_count());
+  const auto each = [this](const std::vector<Proposition>& values, bool effects, const auto& visit) {
+    for (std::size_t i = 0; i < operators_.size(); ++i) {
+      const RelaxedOperator& op = operators_[i];
+      const std::uint32_t begin = effects ? op.effect_begin : op.precondition_begin;
+      const std::uint32_t end = effects ? op.effect_end : op.precondition_end;
+      for (std::uint32_t k = begin; k < end; ++k) visit(values[k], static_cast<std::int32_t>(i));
+    }
+  };
+  fill_rows(propositions, user_begin_, users_, [&](const auto& visit) { each(preconditions_, false, visit); });
+  fill_rows(propositions, producer_begin_, producers_, [&](const auto& visit) { each(effects_, true, visit); });
+  fill_rows(task_->actions.size(), action_begin_, action_operators_, [&](const auto& visit) {
+    for (std::size_t i = 0; i < operators_.size(); ++i) {
+      if (operators_[i].action >= 0) visit(operators_[i].action, static_cast<std::int32_t>(i));
+    }
+  });
+}
+
+}  // namespace goalnet::planner

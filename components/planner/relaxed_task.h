@@ -1,0 +1,78 @@
+// The delete relaxation of a ground task: what once holds stays. Propositions are the needed literals, the junctions and
+// the goal; operators have plain lists of both. An action gives one operator for its unconditional effects and one for
+// each conditional effect.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "components/planner/ground_task.h"
+
+namespace goalnet::planner {
+
+using Proposition = std::int32_t;
+
+struct RelaxedOperator {
+  std::int32_t action = -1;  // -1: only bookkeeping (a junction, the goal), free of cost
+  std::uint32_t precondition_begin = 0, precondition_end = 0;
+  std::uint32_t effect_begin = 0, effect_end = 0;
+};
+
+class RelaxedTask {
+ public:
+  void build(const GroundTask& task);
+
+  const GroundTask& task() const { return *task_; }
+  std::int32_t proposition_count() const { return goal_ + 2; }
+  Proposition goal() const { return goal_; }
+  // Holds in every state: the precondition of operators that have none.
+  Proposition always() const { return goal_ + 1; }
+  Proposition of(ConditionId condition) const {
+    return condition >= 0 ? condition : static_cast<Proposition>(literals_) + ~condition;
+  }
+  const std::vector<RelaxedOperator>& operators() const { return operators_; }
+  std::span<const Proposition> preconditions(const RelaxedOperator& op) const {
+    return {preconditions_.data() + op.precondition_begin, op.precondition_end - op.precondition_begin};
+  }
+  std::span<const Proposition> effects(const RelaxedOperator& op) const {
+    return {effects_.data() + op.effect_begin, op.effect_end - op.effect_begin};
+  }
+  // Operators that need / produce a proposition.
+  std::span<const std::int32_t> users(Proposition p) const { return row(user_begin_, users_, p); }
+  std::span<const std::int32_t> producers(Proposition p) const { return row(producer_begin_, producers_, p); }
+  // Operators of an action are consecutive.
+  std::span<const std::int32_t> operators_of(std::int32_t action) const {
+    return row(action_begin_, action_operators_, action);
+  }
+  std::int64_t cost(const RelaxedOperator& op) const {
+    return op.action < 0 ? 0 : task_->actions[static_cast<std::size_t>(op.action)].cost;
+  }
+  // Literals of atoms that the goal needs and that hold in `state`.
+  template <class Visit>
+  void for_each_true(const Word* state, const Visit& visit) const {
+    for (const Literal literal : tracked_) {
+      if (literal_holds(state, literal)) visit(literal);
+    }
+  }
+
+ private:
+  static std::span<const std::int32_t> row(const std::vector<std::uint32_t>& begin,
+                                           const std::vector<std::int32_t>& values, std::int32_t index) {
+    const auto i = static_cast<std::size_t>(index);
+    return {values.data() + begin[i], begin[i + 1] - begin[i]};
+  }
+  void add_operator(std::int32_t action, std::span<const ConditionId> first, std::span<const ConditionId> second);
+  void index();
+
+  const GroundTask* task_ = nullptr;
+  std::size_t literals_ = 0;
+  Proposition goal_ = 0;
+  std::vector<Literal> tracked_;
+  std::vector<RelaxedOperator> operators_;
+  std::vector<Proposition> preconditions_, effects_;
+  std::vector<std::uint32_t> user_begin_, producer_begin_, action_begin_;
+  std::vector<std::int32_t> users_, producers_, action_operators_;
+};
+
+}  // namespace goalnet::planner
