@@ -117,7 +117,8 @@ bool Coordinator::cancel_one(std::uint64_t id, TimeNs now, const std::string& re
     if (report_.stage != Stage::kStopping) stop(Outcome::kCancelled, reason, now);
     return true;
   }
-  const auto waiting = std::find_if(queue_.begin(), queue_.end(), [id](const auto& entry) { return entry.first == id; });
+  const auto waiting =
+      std::find_if(queue_.begin(), queue_.end(), [id](const auto& entry) { return entry.first == id; });
   if (waiting == queue_.end()) return false;
   const Request request = std::move(waiting->second);
   queue_.erase(waiting);

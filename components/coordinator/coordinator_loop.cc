@@ -134,6 +134,7 @@ void Coordinator::take_plan(const PlanAnswer& answer, TimeNs now) {
   Task& task = *task_;
   if (answer.outcome != Outcome::kDone) return stop(answer.outcome, answer.message, now);
   report_.plan = answer.actions;
+  report_.message.clear();
   report_.current_action = Action{};
   report_.progress = 0.0;
   task.plan_size = answer.actions.size();
@@ -207,12 +208,14 @@ void Coordinator::action_failed(const Action& action, Outcome outcome, const std
 void Coordinator::replan(const std::string& why, TimeNs now) {
   Task& task = *task_;
   last_difference_ = why;
+  report_.message = why;  // until a new plan is there, for people who watch
   if (++task.replans > params_.max_replans) {
     return stop(
         Outcome::kMotionFailed,
         "gave up after " + std::to_string(params_.max_replans) + " new plans; the last because " + why, now);
   }
   task.act = Act::kReplan;
+  report_.current_action = Action{};
   task.waiting_since = now;
   advance(now);
 }

@@ -36,7 +36,8 @@ FollowInstruction::FollowInstruction(ros::Node& node, Coordinator& coordinator)
     : node_(node),
       coordinator_(coordinator),
       server_(node, "follow_instruction",
-              {.on_goal = [this](const ros::GoalId& id, const FollowAction::Goal& goal) { return on_goal(id, goal); },
+              {.on_goal = [this](const ros::GoalId& id,
+                                 const FollowAction::Goal& goal) { return on_goal(id, goal); },
                .on_accepted =
                    [this](std::shared_ptr<Handle> handle) {
                      const auto found = instructions_.find(handle->id());
@@ -69,9 +70,15 @@ void FollowInstruction::on_report(const Report& report) {
   handles_.erase(found);
   instructions_.erase(handle->id());
   switch (report.outcome) {
-    case Outcome::kDone: handle->succeed(result_of(report)); break;
-    case Outcome::kCancelled: handle->canceled(result_of(report)); break;
-    default: handle->abort(result_of(report)); break;
+    case Outcome::kDone:
+      handle->succeed(result_of(report));
+      break;
+    case Outcome::kCancelled:
+      handle->canceled(result_of(report));
+      break;
+    default:
+      handle->abort(result_of(report));
+      break;
   }
 }
 

@@ -144,11 +144,16 @@ void TracePrinter::on_status(const coordinator::Report& report, double sim_time,
   }
   if (!report.goal.empty() && static_cast<std::int64_t>(report.step) != goal_step_) {
     goal_step_ = report.step;
-    plan_.clear();
     print_goal(report);
   }
+  if (!report.finished && report.message != difference_) {
+    difference_ = report.message;
+    if (!difference_.empty())
+      out_ << "     " << paint("!", Paint::kYellow) << " new plan: " << difference_ << "\n";
+  }
   const bool acting = report.stage == coordinator::Stage::kActing;
-  if (acting && report.progress == 0.0 && report.plan != plan_) {
+  if (report.stage == coordinator::Stage::kPlanning) plan_.reset();
+  if (acting && !plan_) {
     plan_ = report.plan;
     print_plan(report);
   }

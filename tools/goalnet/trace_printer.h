@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -44,8 +45,9 @@ class TracePrinter {
   std::ostream& out_;
   TraceStyle style_;
   std::uint64_t id_ = 0;
-  std::int64_t goal_step_ = -1;  // the last step whose goal was printed
-  std::vector<Action> plan_;     // the last plan printed
+  std::int64_t goal_step_ = -1;              // the last step whose goal was printed
+  std::optional<std::vector<Action>> plan_;  // printed for the goal under way
+  std::string difference_;                   // the last reason printed for a new plan
   std::size_t carried_out_ = 0;
   std::string action_;  // the one that runs; empty: none
   double action_sim_start_ = 0.0;

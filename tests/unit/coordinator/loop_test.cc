@@ -58,6 +58,7 @@ TEST(Loop, ADoneActionCountsOnlyWhenTheWorldShowsIt) {
   play.pass(2.0);
   EXPECT_EQ(play.port.plan_requests.size(), 2u);
   EXPECT_THAT(play.coordinator.last_difference(), HasSubstr("(Grasping Robot Mug_1)"));
+  EXPECT_EQ(play.report().message, play.coordinator.last_difference()) << "people see why";
   play.plan({kMugToSink[0]});
   EXPECT_EQ(play.port.orders.back().index, 1u) << "a repeated action is a new order";
   play.act();

@@ -67,6 +67,26 @@ TEST(TracePrinter, TellsTheStoryInPlainText) {
   EXPECT_THAT(text, Not(HasSubstr("approach"))) << "stages are for live lines only";
 }
 
+TEST(TracePrinter, SaysWhyThereIsANewPlan) {
+  std::ostringstream out;
+  TracePrinter printer(out, {});
+  Report report;
+  report.id = 1;
+  report.goal = goal({"(On Mug_1 Sink)"});
+  report.plan = kMugToSink;
+  report.stage = Stage::kActing;
+  report.current_action = kMugToSink[0];
+  printer.on_status(report, 0.0, 0.0);
+  report.stage = Stage::kPlanning;
+  report.message = "the mug slipped";
+  printer.on_status(report, 3.0, 0.1);
+  report.stage = Stage::kActing;
+  report.message.clear();
+  printer.on_status(report, 3.0, 0.1);
+  const std::string text = out.str();
+  EXPECT_THAT(text, HasSubstr("! new plan: the mug slipped\n        plan  grasp Mug_1, keep-on Mug_1 Sink"));
+}
+
 TEST(TracePrinter, RedrawsTheRunningActionOnATerminal) {
   const std::string text = trace({.colour = true, .live = true});
   EXPECT_THAT(text, HasSubstr("\r\x1b[2K"));
