@@ -1,5 +1,6 @@
 #include "components/world_model/nearness.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "components/world_model/geometry.h"
@@ -41,7 +42,23 @@ bool Nearness::near(bool was, double distance, const Threshold& threshold, doubl
          with_hysteresis(was, std::abs(bearing), params_.near_bearing);
 }
 
-void Nearness::update(const scene::Pose& base, const std::vector<ObjectView>& objects) {
+// [m] 0 if the small support that carries the object is near; otherwise the distance to the object itself.
+double Nearness::object_distance(bool was, const scene::Pose& base, const ObjectView& object,
+                                 const Place& place) const {
+  const double direct = (flat(object.pose.translation()) - flat(base.translation())).norm();
+  if (place.kind != Place::Kind::kRegion) return direct;
+  const scene::Region& region = scene_.regions[place.index];
+  const scene::Support& support = region.supports[place.support];
+  const scene::Fixture* fixture = scene_.find_fixture(region.fixture);
+  if (fixture == nullptr || std::max(support.size_x, support.size_y) > params_.small_support) return direct;
+  const Eigen::Vector3d here = (fixture->pose * support.frame).inverse() * base.translation();
+  const Eigen::Vector2d half(0.5 * support.size_x, 0.5 * support.size_y);
+  const double to_support = distance_to_rectangle(flat(here), -half, half);
+  return with_hysteresis(was, to_support, params_.near_support) ? 0.0 : direct;
+}
+
+void Nearness::update(const scene::Pose& base, const std::vector<ObjectView>& objects,
+                      const std::vector<Place>& places) {
   const Eigen::Vector2d here = flat(base.translation());
   const Eigen::Vector2d front = flat(base.linear().col(0)).normalized();
   const auto bearing = [&](const Eigen::Vector2d& point) {
@@ -54,7 +71,7 @@ void Nearness::update(const scene::Pose& base, const std::vector<ObjectView>& ob
     const Eigen::Vector2d there = flat(objects[i].pose.translation());
     // What the robot carries is not near it, it is with it: the demonstrations see it that way.
     now = objects[i].known && !objects[i].held &&
-          near(now, (there - here).norm(), params_.near_object, bearing(there));
+          near(now, object_distance(now, base, objects[i], places[i]), params_.near_object, bearing(there));
   }
   for (const auto& [name, target] : targets_) {
     const scene::Pose to_fixture = target.fixture->pose.inverse();

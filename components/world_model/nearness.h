@@ -18,7 +18,9 @@ class Nearness {
   Nearness(const scene::Scene& scene, const Params& params);
 
   // `base` is the robot's base in the map frame; its x axis points to the front.
-  void update(const scene::Pose& base, const std::vector<ObjectView>& objects);
+  // `places` tells what each object stands on.
+  void update(const scene::Pose& base, const std::vector<ObjectView>& objects,
+              const std::vector<Place>& places);
   // The names that are near, sorted.
   std::vector<std::string> names() const;
 
@@ -30,6 +32,8 @@ class Nearness {
     bool whole = true;                                // the fixture, not a part of it
     Eigen::Vector2d point = Eigen::Vector2d::Zero();  // of a part: in the map frame
   };
+  double object_distance(bool was, const scene::Pose& base, const ObjectView& object,
+                         const Place& place) const;
   bool near(bool was, double distance, const Threshold& threshold, double bearing) const;
 
   const scene::Scene& scene_;

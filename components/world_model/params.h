@@ -22,11 +22,14 @@ struct Params {
   double resting_speed = 0.05;
 
   // Near Robot X: horizontal distance from the base's origin [m], and the direction of X off the robot's
-  // front [rad]. The default robot stands with its front (0.25 m before the origin) 0.1 to 0.5 m away from
-  // furniture, and reaches 0.8 m from its shoulders.
-  Threshold near_object{1.00, 1.10};   // to the middle of an object
+  // front [rad]. The default robot reaches 0.8 m from its shoulders, in front and to both sides; it stands
+  // with its front (0.25 m before the origin) up to 0.7 m from furniture, where doors need the room.
+  Threshold near_object{0.95, 1.05};  // to the middle of an object
+  Threshold near_support{1.15,
+                         1.25};  // to the edge of the small support (shelf, burner, basin) that it stands on
   Threshold near_fixture{0.95, 1.05};  // to the nearest point of a fixture
-  Threshold near_bearing{0.80, 0.95};
+  Threshold near_bearing{1.40, 1.60};
+  double small_support = 1.0;  // [m] a support with a longer side (a counter) is judged by the object itself
 
   // Held: how far the material between the fingers may fall short of each finger pad [m].
   Threshold finger_gap{0.005, 0.012};

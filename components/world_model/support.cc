@@ -8,8 +8,8 @@
 namespace goalnet::world_model {
 namespace {
 
-// A hollow deeper than this contains (a cup, a bowl); a shallower one carries (a plate).
-constexpr double kShallow = 0.03;  // [m]
+// A deep hollow contains (a cup, a bowl); a shallow one carries (a plate).
+bool is_shallow(const scene::Cavity& cavity) { return cavity.depth < 0.5 * cavity.radius; }
 
 }  // namespace
 
@@ -66,6 +66,10 @@ Place Support::find(std::size_t object) const {
   return best;
 }
 
+bool Support::carries_in_hollow(std::size_t object) const {
+  return scene_.model_of(scene_.objects[object]).cavity.has_value();
+}
+
 bool Support::fits(std::size_t object, const Place& place, bool loose, double* gap) const {
   switch (place.kind) {
     case Place::Kind::kNone:
@@ -114,7 +118,7 @@ bool Support::in_region(const Extent& extent, const scene::Pose& frame, const sc
 bool Support::in_object(std::size_t object, std::size_t other, bool loose) const {
   if (object == other || !objects_[other].known) return false;
   const scene::ObjectModel& model = scene_.model_of(scene_.objects[other]);
-  if (!model.cavity || model.cavity->depth < kShallow) return false;
+  if (!model.cavity || is_shallow(*model.cavity)) return false;
   const scene::Pose mouth = objects_[other].pose * model.cavity->mouth;
   if (mouth.linear().col(2).z() < 0.5) return false;  // lies on its side
   const double margin = loose ? params_.edge.exit : params_.edge.enter;
@@ -133,9 +137,10 @@ bool Support::on_object(std::size_t object, std::size_t other, bool loose, doubl
   const scene::ObjectModel& model = scene_.model_of(scene_.objects[other]);
   // A shallow hollow carries on its floor, everything else on its top.
   double top = extents_[other].highest;
-  const bool shallow = model.cavity && model.cavity->depth < kShallow;
+  const bool shallow = model.cavity && is_shallow(*model.cavity);
   if (model.cavity && !shallow) return false;  // nothing stands on an open cup
-  const double floor = shallow ? top - model.cavity->depth : top;
+  const double floor =
+      shallow ? (objects_[other].pose * model.cavity->mouth).translation().z() - model.cavity->depth : top;
   const double below = floor - extents_[object].lowest, above = extents_[object].lowest - top;
   const double height = std::max(below, above);
   const double sideways =

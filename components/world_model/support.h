@@ -43,6 +43,9 @@ class Support {
   // `objects` in the order of Scene::objects.
   void update(const std::vector<ObjectView>& objects, const TrayView& tray);
   const std::vector<Place>& places() const { return places_; }
+  // Things on this object lie in a hollow, if a shallow one: On and In both hold (an egg on and in a soup
+  // plate).
+  bool carries_in_hollow(std::size_t object) const;
 
  private:
   struct Extent {

@@ -123,7 +123,7 @@ const WorldState& WorldModel::update() {
   // On the tray is carried as well.
   for (std::size_t i = 0; i < objects_.size(); ++i)
     if (support_.places()[i].kind == Place::Kind::kTray) objects_[i].held = true;
-  nearness_.update(base_, objects_);
+  nearness_.update(base_, objects_, support_.places());
   collect_facts();
   return world_;
 }
@@ -200,6 +200,8 @@ void WorldModel::collect_facts() {
       }
       case Place::Kind::kOnObject:
         facts.push_back({"On", name, scene_.objects[place.index].name});
+        if (support_.carries_in_hollow(place.index))
+          facts.push_back({"In", name, scene_.objects[place.index].name});
         break;
       case Place::Kind::kInObject:
         facts.push_back({"In", name, scene_.objects[place.index].name});

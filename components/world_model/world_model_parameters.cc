@@ -54,6 +54,10 @@ Expected<DeclaredParams> declare_parameters(ros::Node& node) {
   declare.threshold("edge", core.edge, "On, In: middle of the object outside the edge [m]", 0.5);
   declare.number("resting_speed", core.resting_speed, "On, In begin below this speed [m/s]", 0.0, 10.0);
   declare.threshold("near_object", core.near_object, "Near: base to object [m]", 10.0);
+  declare.threshold("near_support", core.near_support, "Near: base to the small support of an object [m]",
+                    10.0);
+  declare.number("small_support", core.small_support, "longest side of a support judged as a whole [m]", 0.0,
+                 10.0);
   declare.threshold("near_fixture", core.near_fixture, "Near: base to fixture [m]", 10.0);
   declare.threshold("near_bearing", core.near_bearing, "Near: direction off the robot's front [rad]", 3.15);
   declare.threshold("finger_gap", core.finger_gap, "Held: material short of a finger pad [m]", 0.1);

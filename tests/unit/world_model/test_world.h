@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "components/robot/robot_model.h"
@@ -13,12 +15,17 @@
 
 namespace goalnet::world_model::test {
 
+template <class T>
+T value_or_throw(Expected<T> loaded) {
+  if (!loaded) throw std::runtime_error(loaded.error().message);
+  return std::move(*loaded);
+}
 inline const scene::Scene& kitchen() {
-  static const scene::Scene scene = scene::load_scene("kitchen").value();
+  static const scene::Scene scene = value_or_throw(scene::load_scene("kitchen"));
   return scene;
 }
 inline const robot::RobotModel& default_robot() {
-  static const robot::RobotModel robot = robot::load_robot("default").value();
+  static const robot::RobotModel robot = value_or_throw(robot::load_robot("default"));
   return robot;
 }
 
