@@ -2,7 +2,8 @@
 
 #include <cstdio>
 
-#include "components/goalnet/training/planner_feeding.h"
+#include "components/core/config_path.h"
+#include "components/goalnet/lexicon.h"
 #include "components/goalnet/training/settings.h"
 #include "components/goalnet/training/trainer.h"
 
@@ -13,6 +14,9 @@ using namespace inference::training;
 Expected<void> train_network_kind(const TrainRequest& request) {
   const auto demonstrations = inference::read_demonstrations(request.data);
   if (!demonstrations) return tl::unexpected(demonstrations.error());
+  inference::Symbols symbols;
+  const auto things = inference::Lexicon::load(config_path("language/household.json"), symbols);
+  if (!things) return tl::unexpected(things.error());
   const auto folder = request.data.parent_path();
   const auto vectors = read_word_vectors({folder / "conceptnet.json", folder / "vocab.json"});
   if (!vectors) return tl::unexpected(vectors.error());
@@ -35,7 +39,7 @@ Expected<void> train_network_kind(const TrainRequest& request) {
                   epoch.epochs, epoch.loss, 100 * epoch.accuracy);
     if (request.progress) request.progress(static_cast<double>(epoch.epoch + 1) / epoch.epochs, text);
   };
-  const auto trained = train_network(*demonstrations, {}, *vectors, options, report);
+  const auto trained = train_network(*demonstrations, {}, *things, *vectors, options, report);
   if (!trained) return tl::unexpected(trained.error());
   if (auto written = trained->file.write(request.out.string()); !written) return written;
   std::error_code ignored;

@@ -111,8 +111,7 @@ void WorldEncoder::read_facts(const WorldState& state, EncodedWorld& out) {
       if (subject == object) continue;  // (On GarbageBin_1 GarbageBin_1) stands in many states
       // Where no demonstration puts anything, lying there says nothing: a real world reports (On X Counter_1)
       // for everything that nobody has moved yet.
-      const GoalRelation relation = in ? GoalRelation::kIn : GoalRelation::kOn;
-      if (out.class_id[at(object)] >= 0 && !grammar_.second_allowed(relation, out.class_id[at(object)]))
+      if (!grammar_.second_allowed(in ? GoalRelation::kIn : GoalRelation::kOn, out.class_id[at(object)]))
         continue;
       add(subject, in ? kInSomething : kOnSomething, 1);
       add(object, kCarriesSomething, 1);

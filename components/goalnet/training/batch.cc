@@ -18,7 +18,15 @@ std::vector<Target> EpisodeEncoder::targets_of(const Goal& goal, const WorldStat
   std::vector<Target> targets;
   const auto place = [&state](const std::string& name) {
     const auto found = std::find(state.objects.begin(), state.objects.end(), name);
-    return found == state.objects.end() ? -1 : static_cast<int>(found - state.objects.begin());
+    if (found != state.objects.end()) return static_cast<int>(found - state.objects.begin());
+    // A part that the world does not list ("FridgeLeft") stands for the whole ("Fridge").
+    int whole = -1;
+    for (std::size_t i = 0; i < state.objects.size(); ++i) {
+      const bool longer =
+          whole < 0 || state.objects[i].size() > state.objects[static_cast<std::size_t>(whole)].size();
+      if (name.starts_with(state.objects[i]) && longer) whole = static_cast<int>(i);
+    }
+    return whole;
   };
   for (const bool positive : {true, false}) {
     if (!(positive ? config_.positive : config_.negative)) continue;

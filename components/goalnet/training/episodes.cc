@@ -1,7 +1,6 @@
 #include "components/goalnet/training/episodes.h"
 
 #include <algorithm>
-#include <set>
 
 #include "components/goalnet/sym_sim.h"
 
@@ -9,20 +8,6 @@ namespace goalnet::inference::training {
 namespace {
 
 constexpr std::size_t kLongestStretch = 10;  // no natural way to one action is longer
-
-std::set<std::string> names_of(const Demonstration& demonstration) {
-  std::set<std::string> names;
-  for (const WorldState& state : demonstration.states)
-    names.insert(state.objects.begin(), state.objects.end());
-  for (const auto& [word, objects] : demonstration.grounding) names.insert(objects.begin(), objects.end());
-  return names;
-}
-
-std::size_t common(const std::vector<std::string>& sorted, const auto& names) {
-  return static_cast<std::size_t>(std::count_if(names.begin(), names.end(), [&](const std::string& name) {
-    return std::binary_search(sorted.begin(), sorted.end(), name);
-  }));
-}
 
 // Where the stretch of actions from `begin` ends: behind the last action that they are the natural way to.
 std::size_t stretch_end(const std::vector<SymAction>& actions, std::size_t begin, const SymState& state) {
@@ -38,34 +23,6 @@ std::size_t stretch_end(const std::vector<SymAction>& actions, std::size_t begin
 }
 
 }  // namespace
-
-Rooms::Rooms(const std::vector<Demonstration>& demonstrations) {
-  for (const Demonstration& demonstration : demonstrations) {
-    const std::set<std::string> names = names_of(demonstration);
-    auto place = std::find_if(rooms_.begin(), rooms_.end(),
-                              [&](const auto& room) { return 2 * common(room, names) > names.size(); });
-    if (place == rooms_.end()) place = rooms_.insert(rooms_.end(), std::vector<std::string>());
-    std::set<std::string> merged(place->begin(), place->end());
-    merged.insert(names.begin(), names.end());
-    place->assign(merged.begin(), merged.end());
-  }
-}
-
-void Rooms::complete(WorldState& state) const {
-  const std::vector<std::string>* best = nullptr;
-  std::size_t most = 0;
-  for (const auto& room : rooms_) {
-    const std::size_t shared = common(room, state.objects);
-    if (shared > most) {
-      most = shared;
-      best = &room;
-    }
-  }
-  if (best == nullptr) return;
-  std::set<std::string> names(state.objects.begin(), state.objects.end());
-  names.insert(best->begin(), best->end());
-  state.objects.assign(names.begin(), names.end());
-}
 
 Goal intention(const Goal& step) {
   Goal goal;
@@ -83,7 +40,7 @@ Goal intention(const Goal& step) {
   return goal;
 }
 
-Episode make_episode(const Demonstration& demonstration, const Rooms& rooms, bool compress) {
+Episode make_episode(const Demonstration& demonstration, const Lexicon& things, bool compress) {
   Episode episode{
       demonstration.id, demonstration.scenario, demonstration.sentence, demonstration.grounding, {}, {}, {}};
   Symbols symbols;
@@ -105,7 +62,7 @@ Episode make_episode(const Demonstration& demonstration, const Rooms& rooms, boo
   episode.states.push_back(demonstration.states.back());
   episode.goals.emplace_back();
   episode.pursued = episode.goals;
-  for (WorldState& state : episode.states) rooms.complete(state);
+  for (WorldState& state : episode.states) things.complete_objects(state);
   return episode;
 }
 

@@ -8,6 +8,7 @@
 #include "components/core/predicate.h"
 #include "components/goalnet/demonstration.h"
 #include "components/goalnet/goal_model.h"
+#include "components/goalnet/lexicon.h"
 
 namespace goalnet::inference::training {
 
@@ -21,24 +22,13 @@ struct Episode {
   std::vector<Goal> goals, pursued;
 };
 
-// The names that occur together in demonstrations: a state lists only what its facts mention, and these
-// complete it.
-class Rooms {
- public:
-  explicit Rooms(const std::vector<Demonstration>& demonstrations);
-  // Adds the names of the room that the state shares most names with.
-  void complete(WorldState& state) const;
-
- private:
-  std::vector<std::vector<std::string>> rooms_;  // each sorted
-};
-
 // Of what one action changed, what it was done for: added facts, and only without any of them removed ones.
 Goal intention(const Goal& step);
 
 // The fewest goals that give the same actions: a stretch of actions that is the natural way to its last one
 // becomes the intention of that last action. With `compress` off every action keeps its own added and removed
 // facts.
-Episode make_episode(const Demonstration& demonstration, const Rooms& rooms, bool compress);
+// `things` completes each state's objects: demonstrations list only what their facts mention.
+Episode make_episode(const Demonstration& demonstration, const Lexicon& things, bool compress);
 
 }  // namespace goalnet::inference::training

@@ -164,12 +164,12 @@ class Trainer {
   Simulator simulator_;
 };
 
-std::vector<Episode> make_episodes(const std::vector<Demonstration>& demonstrations, const Rooms& rooms,
+std::vector<Episode> make_episodes(const std::vector<Demonstration>& demonstrations, const Lexicon& things,
                                    const TrainOptions& options) {
   std::vector<Episode> episodes;
   for (const Demonstration& demonstration : demonstrations) {
     if (demonstration.perturbed && !options.perturbed) continue;
-    episodes.push_back(make_episode(demonstration, rooms, options.compress));
+    episodes.push_back(make_episode(demonstration, things, options.compress));
   }
   return episodes;
 }
@@ -177,17 +177,17 @@ std::vector<Episode> make_episodes(const std::vector<Demonstration>& demonstrati
 }  // namespace
 
 Expected<TrainedNetwork> train_network(const std::vector<Demonstration>& demonstrations,
-                                       const std::vector<Demonstration>& held_out, const WordVectors& vectors,
-                                       const TrainOptions& options, const Progress& progress) {
+                                       const std::vector<Demonstration>& held_out, const Lexicon& things,
+                                       const WordVectors& vectors, const TrainOptions& options,
+                                       const Progress& progress) {
   torch::set_num_threads(1);
   if (auto checked = network::parse_network_config(network::to_json(options.config)); !checked)
     return tl::unexpected(checked.error());
-  const Rooms rooms(demonstrations);
-  std::vector<Episode> episodes = make_episodes(demonstrations, rooms, options);
+  std::vector<Episode> episodes = make_episodes(demonstrations, things, options);
   if (episodes.empty()) return fail(Outcome::kInvalidRequest, "no demonstration to learn from");
   const auto vocabulary = make_vocabulary(episodes, vectors, options.config.word, options.constants);
   if (!vocabulary) return tl::unexpected(vocabulary.error());
-  Trainer trainer(options, *vocabulary, std::move(episodes), make_episodes(held_out, rooms, options));
+  Trainer trainer(options, *vocabulary, std::move(episodes), make_episodes(held_out, things, options));
   auto trained = trainer.run(identity_of(demonstrations, options), progress);
   if (!trained) return trained;
   std::ostringstream data;

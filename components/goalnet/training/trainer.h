@@ -48,10 +48,11 @@ struct TrainedNetwork {
   std::vector<EpochReport> curve;
 };
 
-// `held_out` is only measured, never learned from. One thread. Errors: kInvalidRequest (no usable
-// demonstration, a checkpoint of another training).
+// `held_out` is only measured, never learned from. `things` completes the objects of each state. One thread.
+// Errors: kInvalidRequest (no usable demonstration, a checkpoint of another training).
 Expected<TrainedNetwork> train_network(const std::vector<Demonstration>& demonstrations,
-                                       const std::vector<Demonstration>& held_out, const WordVectors& vectors,
-                                       const TrainOptions& options, const Progress& progress);
+                                       const std::vector<Demonstration>& held_out, const Lexicon& things,
+                                       const WordVectors& vectors, const TrainOptions& options,
+                                       const Progress& progress);
 
 }  // namespace goalnet::inference::training
