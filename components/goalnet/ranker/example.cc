@@ -54,7 +54,7 @@ std::vector<Example> make_examples(const std::vector<Demonstration>& demonstrati
   return examples;
 }
 
-Places learn_places(const std::vector<const Example*>& examples, const Lexicon& lexicon) {
+Places learn_places(const std::vector<const Example*>& examples) {
   Places places;
   for (const Example* example : examples)
     for (const auto& [step, action] : example->macros) {
@@ -68,7 +68,6 @@ Places learn_places(const std::vector<const Example*>& examples, const Lexicon& 
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
-  (void)lexicon;
   return places;
 }
 

@@ -26,6 +26,6 @@ std::vector<Example> make_examples(const std::vector<Demonstration>& demonstrati
                                    Symbols& symbols);
 
 // Classes that the examples kept something on or in.
-Places learn_places(const std::vector<const Example*>& examples, const Lexicon& lexicon);
+Places learn_places(const std::vector<const Example*>& examples);
 
 }  // namespace goalnet::inference

@@ -96,11 +96,13 @@ FeatureContext::ObjectCode FeatureContext::code(Symbol symbol) const {
   code.index = instruction_.find(symbol);
   if (code.index < 0) {
     code.class_code = 100000u + symbol;
+    code.name = symbol;
     return code;
   }
   const SeenObject& object = instruction_.objects[static_cast<std::size_t>(code.index)];
   const SymState& now = run_.now;
   code.held = now.holds(symbol);
+  code.name = object.name_hash;
   const std::uint32_t handled = handled_[static_cast<std::size_t>(code.index)];
   code.handled = handled != 0;
   code.named = object.grounded || object.level != NameLevel::kNone;
@@ -217,7 +219,7 @@ void FeatureContext::extract(const SymAction& action, std::vector<std::uint32_t>
   add(39, v, votes, last);
   add(40, verb_only, x.mention, x.state, step_);
   add(41, v, x.state, x.class_code);
-  add(42, verb_only, device + 1u);  // habits about single things: the first burner, the left pillow
+  add(42, verb_only, x.name);  // habits about single things: the first burner, the left pillow
   if (action.y != kNone) {
     add(50, v, y.mention);
     add(51, v, y.class_code);
@@ -226,7 +228,7 @@ void FeatureContext::extract(const SymAction& action, std::vector<std::uint32_t>
     add(54, v, y.state);
     add(55, v, y.before, y.mention);
     add(56, v, x.before, y.before);
-    add(57, v, action.y + 1u);
+    add(57, v, y.name);
     add(58, v, x.place, y.class_code);
     add(59, v, y.rank, y.mention);
     add(60, v, x.state, y.state);

@@ -11,7 +11,7 @@
 
 namespace goalnet::inference {
 
-inline constexpr std::uint32_t kFeatureBits = 20;
+inline constexpr std::uint32_t kFeatureBits = 18;
 inline constexpr std::uint32_t kFeatureBuckets = 1u << kFeatureBits;
 
 // What recorded neighbours of the instruction did: how much they speak for an action. See neighbours.h.
@@ -39,7 +39,7 @@ class FeatureContext {
 
  private:
   struct ObjectCode {
-    std::uint32_t mention = 0, state = 0, before = 0, class_code = 0, rank = 0, place = 0;
+    std::uint32_t mention = 0, state = 0, before = 0, class_code = 0, rank = 0, place = 0, name = 0;
     bool named = false, held = false, handled = false;
     int index = -1;
   };

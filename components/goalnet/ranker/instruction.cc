@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace goalnet::inference {
 namespace {
 
 constexpr std::size_t kLongestName = 4;  // words
+constexpr std::size_t kMaxObjects = 10000;
 
 bool is_filler(const std::string& word) {
   static constexpr std::array<std::string_view, 14> kFillers = {"the", "a",   "an",     ".",    ",",    "please", "and",
@@ -79,13 +81,6 @@ std::uint32_t hash_text(std::string_view text) {
   return hash;
 }
 
-int Instruction::find(Symbol symbol) const {
-  const auto at = std::lower_bound(objects.begin(), objects.end(), symbol,
-                                   [](const SeenObject& object, Symbol value) { return object.symbol < value; });
-  return at != objects.end() && at->symbol == symbol && symbol != symbol::kNone ? static_cast<int>(at - objects.begin())
-                                                                              : -1;
-}
-
 Instruction see_instruction(const std::vector<std::string>& words, const Grounding* grounding,
                             const std::vector<std::string>& objects, Lexicon& lexicon, Symbols& symbols) {
   Instruction instruction;
@@ -114,23 +109,22 @@ Instruction see_instruction(const std::vector<std::string>& words, const Groundi
 
   find_mentions(instruction, lexicon, plural);
 
-  for (const std::string& name : objects) {
+  std::set<std::string> names(objects.begin(), objects.end());
+  for (const std::string& name : names) {
     const Symbol symbol = symbols.intern(name);
     if (symbol == symbol::kNone || symbol == symbol::kRobot) continue;
-    instruction.objects.push_back({.symbol = symbol, .class_id = lexicon.class_of(symbol, symbols)});
+    if (instruction.index.size() <= symbol) instruction.index.resize(symbol + 1u, -1);
+    if (instruction.index[symbol] >= 0 || instruction.objects.size() >= kMaxObjects) continue;
+    instruction.index[symbol] = static_cast<std::int16_t>(instruction.objects.size());
+    instruction.objects.push_back(
+        {.symbol = symbol, .name_hash = hash_text(name), .class_id = lexicon.class_of(symbol, symbols)});
   }
-  // Ranks go by name, so that Pillow_1 comes before Pillow_2 whatever was interned first.
-  std::sort(instruction.objects.begin(), instruction.objects.end(), [&](const SeenObject& a, const SeenObject& b) {
-    return symbols.name(a.symbol) < symbols.name(b.symbol);
-  });
   std::vector<std::uint8_t> count(lexicon.classes(), 0);
-  for (SeenObject& object : instruction.objects) object.rank = count[object.class_id]++;
+  for (SeenObject& object : instruction.objects) {
+    object.rank = count[object.class_id];
+    if (count[object.class_id] < 255) ++count[object.class_id];
+  }
   for (SeenObject& object : instruction.objects) object.of_class = count[object.class_id];
-  std::sort(instruction.objects.begin(), instruction.objects.end(),
-            [](const SeenObject& a, const SeenObject& b) { return a.symbol < b.symbol; });
-  instruction.objects.erase(std::unique(instruction.objects.begin(), instruction.objects.end(),
-                                        [](const SeenObject& a, const SeenObject& b) { return a.symbol == b.symbol; }),
-                            instruction.objects.end());
 
   for (std::size_t m = 0; m < instruction.mentions.size(); ++m) {
     const std::string& phrase = instruction.mentions[m].phrase;

@@ -20,6 +20,7 @@ struct Mention {
 // One object of the world, in the light of the instruction.
 struct SeenObject {
   Symbol symbol = symbol::kNone;
+  std::uint32_t name_hash = 0;  // the same in every process, as symbols are not
   ClassId class_id = 0;
   std::uint8_t rank = 0;      // number among the world's objects of its class, in the order of their names
   std::uint8_t of_class = 1;  // how many there are
@@ -35,11 +36,14 @@ struct Instruction {
   std::vector<std::uint32_t> unigrams, bigrams;  // hashes of words (unique) and of neighbouring pairs
   std::uint32_t first_verb = 0;     // the first word that is no filler
   std::vector<Mention> mentions;    // in order
-  std::vector<SeenObject> objects;  // sorted by symbol; Robot left out
+  std::vector<SeenObject> objects;  // in the order of their names; Robot left out
+  std::vector<std::int16_t> index;  // of each symbol in objects; -1: not in this world
   bool grounding_given = false;
 
   // Index into objects, or -1.
-  int find(Symbol symbol) const;
+  int find(Symbol symbol) const {
+    return symbol != symbol::kNone && symbol < index.size() ? index[symbol] : -1;
+  }
 };
 
 // `words` as tokenize() gives them; `objects`: names of the world's objects.

@@ -3,65 +3,85 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace goalnet::inference {
 namespace {
 
-const Instruction& seen(const Example& example, bool grounding) { return grounding ? example.given : example.none; }
-
-// Words, pairs, what is held at the start: the terms by which instructions are compared.
-template <class Act>
-void each_term(const Instruction& instruction, const SymState& state, Act act) {
-  for (const std::uint32_t word : instruction.unigrams) act(word, 1.0f);
-  for (const std::uint32_t pair : instruction.bigrams) act(pair ^ 0x5bd1e995u, 0.7f);
-  act(instruction.first_verb ^ 0x1234567u, 0.5f);
+// Words, pairs, things named, what is held at the start.
+std::vector<Term> terms_of(const Instruction& instruction, const SymState& state) {
+  std::map<std::uint32_t, float> sums;
+  for (const std::uint32_t word : instruction.unigrams) sums[word] += 1.0f;
+  for (const std::uint32_t pair : instruction.bigrams) sums[pair ^ 0x5bd1e995u] += 0.7f;
+  sums[instruction.first_verb ^ 0x1234567u] += 0.5f;
   for (const SeenObject& object : instruction.objects) {
-    if (state.holds(object.symbol)) act(0x70000000u + object.class_id, 0.4f);
+    if (state.holds(object.symbol)) sums[0x70000000u + object.class_id] += 0.4f;
     if (object.level >= NameLevel::kName || object.grounded)
-      act(0x60000000u + object.class_id, 1.0f / static_cast<float>(std::max<int>(1, object.of_class)));
+      sums[0x60000000u + object.class_id] += 1.0f / static_cast<float>(std::max<int>(1, object.of_class));
   }
+  return {sums.begin(), sums.end()};
 }
 
 }  // namespace
 
-Neighbours::Neighbours(std::vector<const Example*> examples, bool grounding) : grounding_(grounding) {
-  std::unordered_map<std::uint32_t, int> documents;
-  for (const Example* example : examples) {
-    std::map<std::uint32_t, bool> once;
-    each_term(seen(*example, grounding), example->states.front(), [&](std::uint32_t term, float) { once[term] = true; });
-    for (const auto& [term, is] : once) ++documents[term];
+Memory remember(const Example& example, bool grounding) {
+  const Instruction& instruction = grounding ? example.given : example.none;
+  Memory memory;
+  memory.scenario = example.scenario;
+  memory.terms = terms_of(instruction, example.states.front());
+  for (const Mention& mention : instruction.mentions) memory.mentions.push_back(hash_text(mention.phrase));
+  const auto seen = [&](Symbol symbol) -> const SeenObject* {
+    const int found = instruction.find(symbol);
+    return found < 0 ? nullptr : &instruction.objects[static_cast<std::size_t>(found)];
+  };
+  for (const auto& [at, action] : example.macros) {
+    Memory::Step step{.action = action};
+    if (const SeenObject* x = seen(action.x))
+      step.x_class = x->class_id, step.x_mention = static_cast<std::int16_t>(x->mention);
+    if (const SeenObject* y = seen(action.y))
+      step.y_class = y->class_id, step.y_mention = static_cast<std::int16_t>(y->mention);
+    memory.steps.push_back(step);
   }
-  const float n = static_cast<float>(examples.size()) + 1;
-  for (const auto& [term, count] : documents) weight_[term] = std::log(n / (static_cast<float>(count) + 0.5f));
-  unseen_weight_ = std::log(n / 0.5f);
-  for (const Example* example : examples)
-    rows_.push_back({example, vector_of(seen(*example, grounding), example->states.front())});
+  return memory;
 }
 
-std::vector<std::pair<std::uint32_t, float>> Neighbours::vector_of(const Instruction& instruction,
-                                                                   const SymState& state) const {
-  std::map<std::uint32_t, float> sums;
-  each_term(instruction, state, [&](std::uint32_t term, float amount) {
-    const auto it = weight_.find(term);
-    sums[term] += amount * (it == weight_.end() ? unseen_weight_ : it->second);
-  });
+Neighbours::Neighbours(std::vector<Memory> memories) : memories_(std::move(memories)) {
+  std::unordered_map<std::uint32_t, int> documents;
+  for (const Memory& memory : memories_)
+    for (const auto& [term, amount] : memory.terms) ++documents[term];
+  const float n = static_cast<float>(memories_.size()) + 1;
+  for (const auto& [term, count] : documents) weight_[term] = std::log(n / (static_cast<float>(count) + 0.5f));
+  unseen_weight_ = std::log(n / 0.5f);
+  for (const Memory& memory : memories_) {
+    vectors_.push_back(memory.terms);
+    weigh(vectors_.back());
+  }
+}
+
+void Neighbours::weigh(std::vector<Term>& terms) const {
   float norm = 0;
-  for (const auto& [term, value] : sums) norm += value * value;
+  for (auto& [term, amount] : terms) {
+    const auto it = weight_.find(term);
+    amount *= it == weight_.end() ? unseen_weight_ : it->second;
+    norm += amount * amount;
+  }
   norm = norm > 0 ? 1 / std::sqrt(norm) : 0;
-  std::vector<std::pair<std::uint32_t, float>> vector(sums.begin(), sums.end());
-  for (auto& [term, value] : vector) value *= norm;
-  return vector;
+  for (auto& [term, amount] : terms) amount *= norm;
 }
 
 std::vector<Neighbour> Neighbours::nearest(const Instruction& instruction, const SymState& state, std::size_t count,
                                            const std::string& without_scenario) const {
-  const auto query = vector_of(instruction, state);
+  auto query = terms_of(instruction, state);
+  weigh(query);
   std::vector<Neighbour> all;
-  all.reserve(rows_.size());
-  for (const Row& row : rows_) {
-    if (!without_scenario.empty() && row.example->scenario == without_scenario) continue;
+  all.reserve(memories_.size());
+  for (std::size_t i = 0; i < memories_.size(); ++i) {
+    if (!without_scenario.empty() && memories_[i].scenario == without_scenario) continue;
     float dot = 0;
-    for (auto a = query.begin(), b = row.vector.begin(); a != query.end() && b != row.vector.end();) {
+    const auto& row = vectors_[i];
+    auto a = query.begin();
+    auto b = row.begin();
+    while (a != query.end() && b != row.end()) {
       if (a->first < b->first) {
         ++a;
       } else if (b->first < a->first) {
@@ -70,10 +90,11 @@ std::vector<Neighbour> Neighbours::nearest(const Instruction& instruction, const
         dot += a++->second * b++->second;
       }
     }
-    all.push_back({row.example, dot});
+    all.push_back({&memories_[i], dot});
   }
-  const auto better = [](const Neighbour& a, const Neighbour& b) {
-    return a.similarity != b.similarity ? a.similarity > b.similarity : a.example->id < b.example->id;
+  // Ties go to the earlier memory.
+  const auto better = [](const Neighbour& x, const Neighbour& y) {
+    return x.similarity != y.similarity ? x.similarity > y.similarity : x.memory < y.memory;
   };
   count = std::min(count, all.size());
   std::partial_sort(all.begin(), all.begin() + static_cast<long>(count), all.end(), better);
@@ -81,21 +102,16 @@ std::vector<Neighbour> Neighbours::nearest(const Instruction& instruction, const
   return all;
 }
 
-std::vector<NeighbourVote> votes(const std::vector<Neighbour>& neighbours, bool grounding) {
-  std::map<std::tuple<Verb, ClassId, ClassId>, float> sums;
+std::vector<NeighbourVote> votes(std::span<const Neighbour> neighbours) {
+  using Key = std::tuple<Verb, ClassId, ClassId>;
+  std::map<Key, float> sums;
   float total = 1e-6f;
   for (const Neighbour& neighbour : neighbours) {
     const float weight = neighbour.similarity * neighbour.similarity;
     total += weight;
-    const Instruction& other = seen(*neighbour.example, grounding);
-    const auto class_of = [&](Symbol symbol) {
-      const int found = other.find(symbol);
-      return found < 0 ? kNoClass : other.objects[static_cast<std::size_t>(found)].class_id;
-    };
-    std::map<std::tuple<Verb, ClassId, ClassId>, bool> once;
-    for (const auto& [step, action] : neighbour.example->macros)
-      once[{action.verb, class_of(action.x), class_of(action.y)}] = true;
-    const auto steps = static_cast<ClassId>(std::min<std::size_t>(neighbour.example->macros.size(), 6));
+    std::map<Key, bool> once;
+    for (const Memory::Step& step : neighbour.memory->steps) once[{step.action.verb, step.x_class, step.y_class}] = true;
+    const auto steps = static_cast<ClassId>(std::min<std::size_t>(neighbour.memory->steps.size(), 6));
     once[{Verb::kStop, kNoClass, steps}] = true;
     for (const auto& [key, is] : once) sums[key] += weight;
   }
@@ -105,34 +121,39 @@ std::vector<NeighbourVote> votes(const std::vector<Neighbour>& neighbours, bool 
   return result;
 }
 
-std::vector<SymAction> replay(const Example& neighbour, const Instruction& instruction, bool grounding) {
-  const Instruction& other = seen(neighbour, grounding);
+std::vector<SymAction> replay(const Memory& memory, const Instruction& instruction) {
   // Mention by mention: the same phrase stays; otherwise the i-th name left over here stands for the i-th there.
-  std::vector<int> free_here, free_there;
-  const auto has = [](const Instruction& in, const std::string& phrase) {
-    return std::any_of(in.mentions.begin(), in.mentions.end(), [&](const Mention& m) { return m.phrase == phrase; });
+  std::vector<std::uint32_t> here_phrases;
+  for (const Mention& mention : instruction.mentions) here_phrases.push_back(hash_text(mention.phrase));
+  const auto has = [](const std::vector<std::uint32_t>& list, std::uint32_t value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
   };
-  for (std::size_t i = 0; i < instruction.mentions.size(); ++i)
-    if (!has(other, instruction.mentions[i].phrase)) free_here.push_back(static_cast<int>(i));
-  for (std::size_t i = 0; i < other.mentions.size(); ++i)
-    if (!has(instruction, other.mentions[i].phrase)) free_there.push_back(static_cast<int>(i));
+  std::vector<int> here, there;
+  for (std::size_t i = 0; i < here_phrases.size(); ++i)
+    if (!has(memory.mentions, here_phrases[i])) here.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < memory.mentions.size(); ++i)
+    if (!has(here_phrases, memory.mentions[i])) there.push_back(static_cast<int>(i));
+
   std::map<Symbol, Symbol> stands_for;
-  for (std::size_t k = 0; k < std::min(free_here.size(), free_there.size()); ++k) {
-    std::vector<Symbol> here, there;
+  for (std::size_t k = 0; k < std::min(here.size(), there.size()); ++k) {
+    std::vector<Symbol> objects;
     for (const SeenObject& object : instruction.objects)
-      if (object.mention == free_here[k]) here.push_back(object.symbol);
-    for (const SeenObject& object : other.objects)
-      if (object.mention == free_there[k]) there.push_back(object.symbol);
-    for (std::size_t i = 0; i < there.size() && !here.empty(); ++i)
-      stands_for[there[i]] = here[std::min(i, here.size() - 1)];
+      if (object.mention == here[k]) objects.push_back(object.symbol);
+    if (objects.empty()) continue;
+    std::size_t used = 0;
+    const auto carry = [&](Symbol symbol, std::int16_t mention) {
+      if (mention != there[k] || stands_for.contains(symbol)) return;
+      stands_for[symbol] = objects[std::min(used++, objects.size() - 1)];
+    };
+    for (const Memory::Step& step : memory.steps) carry(step.action.x, step.x_mention), carry(step.action.y, step.y_mention);
   }
   const auto carried = [&](Symbol symbol) {
     const auto it = stands_for.find(symbol);
     return it == stands_for.end() ? symbol : it->second;
   };
   std::vector<SymAction> actions;
-  for (const auto& [step, action] : neighbour.macros)
-    actions.push_back({action.verb, carried(action.x), carried(action.y)});
+  for (const Memory::Step& step : memory.steps)
+    actions.push_back({step.action.verb, carried(step.action.x), carried(step.action.y)});
   return actions;
 }
 

@@ -1,6 +1,7 @@
-// Recorded neighbours of an instruction: who said something alike, and what was done then.
+// Remembered neighbours of an instruction: who said something alike, and what was done then.
 #pragma once
 
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -10,38 +11,52 @@
 
 namespace goalnet::inference {
 
+using Term = std::pair<std::uint32_t, float>;  // hash, amount
+
+// What is kept of a demonstration: the terms by which instructions are compared, and what was done.
+struct Memory {
+  struct Step {
+    SymAction action;
+    ClassId x_class = kNoClass, y_class = kNoClass;
+    std::int16_t x_mention = -1, y_mention = -1;  // index into mentions; -1: not named
+  };
+  std::string scenario;                 // empty in a shipped model
+  std::vector<Term> terms;              // sorted by hash, not weighted
+  std::vector<std::uint32_t> mentions;  // hashes of the phrases
+  std::vector<Step> steps;
+};
+
+Memory remember(const Example& example, bool grounding);
+
 struct Neighbour {
-  const Example* example = nullptr;
-  float similarity = 0;  // 0..1, cosine of weighted words and pairs of words
+  const Memory* memory = nullptr;
+  float similarity = 0;  // 0..1, cosine of weighted terms
 };
 
 class Neighbours {
  public:
-  // Keeps pointers; the examples must outlive this.
-  explicit Neighbours(std::vector<const Example*> examples, bool grounding);
+  Neighbours() = default;
+  explicit Neighbours(std::vector<Memory> memories);
 
   // The most alike, best first; those of `without_scenario` left out.
   std::vector<Neighbour> nearest(const Instruction& instruction, const SymState& state, std::size_t count,
                                  const std::string& without_scenario = {}) const;
+  const std::vector<Memory>& memories() const { return memories_; }
 
  private:
-  struct Row {
-    const Example* example;
-    std::vector<std::pair<std::uint32_t, float>> vector;  // sorted by hash, normalised
-  };
-  std::vector<std::pair<std::uint32_t, float>> vector_of(const Instruction& instruction, const SymState& state) const;
+  void weigh(std::vector<Term>& terms) const;
 
-  bool grounding_;
-  std::vector<Row> rows_;
+  std::vector<Memory> memories_;
+  std::vector<std::vector<Term>> vectors_;  // weighted and normalised, one for each memory
   std::unordered_map<std::uint32_t, float> weight_;  // inverse document frequency
   float unseen_weight_ = 1;
 };
 
 // What the neighbours did, by class.
-std::vector<NeighbourVote> votes(const std::vector<Neighbour>& neighbours, bool grounding);
+std::vector<NeighbourVote> votes(std::span<const Neighbour> neighbours);
 
 // The neighbour's actions carried over: objects that the neighbour's instruction named become those that this one
-// names, the others stay. Actions that are not possible here are left out.
-std::vector<SymAction> replay(const Example& neighbour, const Instruction& instruction, bool grounding);
+// names, the others stay. Actions that are not possible here fall away when played.
+std::vector<SymAction> replay(const Memory& memory, const Instruction& instruction);
 
 }  // namespace goalnet::inference

@@ -1,0 +1,47 @@
+// The trained parts of the feature-sharing ranker, and the runs it proposes for an instruction.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "components/goalnet/ranker/log_linear.h"
+#include "components/goalnet/ranker/neighbours.h"
+#include "components/goalnet/ranker/policy.h"
+#include "components/goalnet/ranker/run_pool.h"
+
+namespace goalnet::inference {
+
+struct RankerOptions {
+  std::size_t neighbours = 20;   // asked for votes
+  std::size_t replays = 8;       // of these, replayed as candidate runs
+  std::size_t samples = 40;      // runs drawn from the policy
+  float temperature = 1.0f;
+  float greedy_weight = 2.0f;    // of the greedy run, in samples
+  float replay_weight = 8.0f;    // of a replay, in samples, times the similarity
+  LogLinearOptions training;
+};
+
+struct Ranker {
+  RankerOptions options;
+  Places places;
+  LogLinear policy{kFeatureBuckets};
+  Neighbours neighbours;
+};
+
+// Trains on the examples, seen with or without their grounding. Deterministic.
+Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& lexicon, bool grounding,
+                    const RankerOptions& options, const std::function<bool(int, double)>& progress = {});
+
+// Candidate runs with their weights; equal runs are merged (weights added). The greedy run comes first.
+std::vector<CandidateRun> propose(const Ranker& ranker, const Lexicon& lexicon, const Instruction& instruction,
+                                  const SymState& start, std::uint64_t seed);
+
+// For each run the weighted mean agreement with all of the pool (minimum Bayes risk).
+std::vector<Agreement> expected_agreement(const std::vector<CandidateRun>& pool);
+
+// The runs compressed again: replays and samples as decisions for training.
+std::vector<Decision> decisions_of(const Example& example, const Instruction& instruction, const Lexicon& lexicon,
+                                   const Places& places, std::span<const NeighbourVote> votes);
+
+}  // namespace goalnet::inference

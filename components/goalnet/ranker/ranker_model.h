@@ -1,0 +1,58 @@
+// The shipped goal model: the feature-sharing ranker with minimum-Bayes-risk decoding, and the reading of plain
+// instructions by their grammar beside it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "components/goalnet/goal_model.h"
+#include "components/goalnet/language/frames.h"
+#include "components/goalnet/language/language.h"
+#include "components/goalnet/ranker/ranker.h"
+#include "components/goalnet/safetensors.h"
+
+namespace goalnet::inference {
+
+// Everything a trained model consists of.
+struct RankerParts {
+  Symbols symbols;
+  std::unique_ptr<Lexicon> lexicon;     // Language refers to it
+  std::unique_ptr<Language> language;
+  std::vector<std::string> known_words; // of the training sentences
+  Ranker given, none;                   // trained with and without the demonstrations' grounding
+  std::string fingerprint, command;     // of the data; what trained it
+};
+
+// Lexicon and Language from the text of config/language/household.json.
+Expected<RankerParts> make_parts(const std::string& language_json, const std::string& name);
+
+// Reads and writes the model file. Reading checks everything; kInvalidRequest says what is wrong.
+Expected<RankerParts> read_ranker(const SafeTensors& file);
+Expected<void> write_ranker(const RankerParts& parts, const std::string& path);
+
+class RankerModel : public GoalModel {
+ public:
+  RankerModel(RankerParts parts, ModelUse use);
+  std::string_view kind() const override { return "ranker"; }
+
+ private:
+  // The whole run that is meant, as the goals of its steps.
+  struct Decoded {
+    std::vector<Goal> steps;
+    Error refusal;
+    bool refused = false;
+  };
+  Expected<Goal> do_infer(const StepInput& input) override;
+  Decoded decode(const StepInput& input);
+  Decoded decode_benchmark(const Instruction& instruction, const SymState& start, std::uint64_t seed);
+  Decoded decode_robot(const Instruction& instruction, const SymState& start, std::uint64_t seed);
+  bool same_kind(const CandidateRun& run, const CandidateRun& reading, const Instruction& instruction) const;
+
+  RankerParts parts_;
+  ModelUse use_;
+  std::uint64_t decoded_for_ = 0;  // fingerprint of the input that decoded_ answers
+  Decoded decoded_;
+};
+
+}  // namespace goalnet::inference
