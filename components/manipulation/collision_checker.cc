@@ -213,14 +213,15 @@ std::string CollisionChecker::explain(const std::vector<double>& q, const Collis
   return text;
 }
 
-Tolerances CollisionChecker::baseline(const std::vector<double>& q, const CollisionQuery& query) const {
+Tolerances CollisionChecker::baseline(const std::vector<double>& q, const CollisionQuery& query,
+                                      double least) const {
   Tolerances out = query.tolerances ? *query.tolerances : Tolerances();
   visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
     const auto& other =
         is_body ? bodies_[static_cast<std::size_t>(b)].shape : parts_[static_cast<std::size_t>(b)];
     const double distance = distance_between(parts_[static_cast<std::size_t>(a)], other, limit);
     // 2 mm of slack: measured postures tremble, and GJK is exact to tenths of a millimetre only.
-    if (distance < limit) out.allow(a, is_body ? b : -1 - b, distance - 0.002);
+    if (distance < limit && distance >= least) out.allow(a, is_body ? b : -1 - b, distance - 0.002);
     return false;
   });
   return out;

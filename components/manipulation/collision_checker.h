@@ -53,8 +53,8 @@ class CollisionChecker {
   // The first pair found, for messages: "left_hand touches Kettle"; empty if there is none.
   std::string explain(const std::vector<double>& q, const CollisionQuery& query) const;
   // Tolerances for everything that is nearer than the margin in this posture already: from a touch one may
-  // come away, but not press on.
-  Tolerances baseline(const std::vector<double>& q, const CollisionQuery& query) const;
+  // come away, but not press on. Pairs nearer than `least` [m] get none: they stay collisions.
+  Tolerances baseline(const std::vector<double>& q, const CollisionQuery& query, double least = -1.0) const;
   // Whether an object at a pose would be nearer than `margin` to any other body; those named are ignored.
   bool object_fits(const std::string& object, const Pose& pose, double margin,
                    const std::vector<std::string>& ignored) const;

@@ -13,7 +13,7 @@ namespace goalnet::manipulation {
 struct PlannerLimits {
   int iterations = 4000;  // of RRTConnect; there is no time limit, so that results repeat
   double resolution =
-      0.04;  // [s] spacing of collision checks along edges, in units of `scale` (time at full speed)
+      0.015;  // [s] spacing of collision checks along edges, in units of `scale` (time at full speed)
   double range = 0.35;  // [s] longest edge of the trees
   int shortcuts = 40;   // attempts to shorten the path
 };

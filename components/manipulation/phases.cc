@@ -98,9 +98,8 @@ void add_approach(Phases& phases, const ReachSolution& solution, const Reach& re
   Phase phase;
   phase.stage = "approach";
   phase.plan = [goal = solution.along.front(), lift = solution.stand.lift, arm = reach.arm,
-                opening = reach.opening,
-                tolerances = reach.tolerances](Workbench& b) -> Expected<JointTrajectory> {
-    auto motion = b.move_arm(arm, goal, lift, &tolerances);
+                opening = reach.opening](Workbench& b) -> Expected<JointTrajectory> {
+    auto motion = b.move_arm(arm, goal, lift);
     if (!motion || b.held()[arm]) return motion;
     return merge(*motion, b.move_fingers(arm, opening));
   };

@@ -73,10 +73,10 @@ std::vector<Reach> front_reaches(Workbench& bench, const std::string& place) {
     for (int i = 0; i < n; ++i) {
       const double y = n == 1 ? 0.0 : -support.size_y / 2 + support.size_y * (i + 0.5) / n;
       const Eigen::Vector3d p = support.frame * Eigen::Vector3d(0, y, 0);
-      points.emplace_back(-0.05, p.y(), std::clamp(p.z() + 0.2, 0.9, 1.25));
+      points.emplace_back(-0.20, p.y(), std::clamp(p.z() + 0.2, 0.9, 1.25));
     }
   }
-  if (points.empty()) points.emplace_back(-0.05, 0.0, 1.05);
+  if (points.empty()) points.emplace_back(-0.20, 0.0, 1.05);
   for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       Reach reach;

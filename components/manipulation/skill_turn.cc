@@ -69,6 +69,8 @@ Expected<Phases> TurnSkill::attempt(Workbench& bench, int number) {
       positions.clear();
       const auto arc = arc_of(bench, ref, reach.tool.back(), from, to, positions);
       reach.tool.insert(reach.tool.end(), arc.begin(), arc.end());
+      // The hand must also get away from there.
+      reach.tool.push_back(backed(arc.back(), bench.params().approach_distance));
       for (const auto& name : moving_with(ref)) {
         reach.tolerances.allow_all(bench.checker().all_parts(), bench.checker().body(name));
       }
@@ -83,12 +85,16 @@ Expected<Phases> TurnSkill::attempt(Workbench& bench, int number) {
       for (const auto& name : moving_with(ref)) {
         grip.allow_all(bench.checker().hand_parts(reach.arm), bench.checker().body(name));
       }
-      const CollisionQuery query{&bench.checker().all_parts(), 0.008, &grip, false};
+      const CollisionQuery query{&bench.checker().all_parts(), 0.01, &grip, false};
       bool free = true;
-      const std::size_t first = along.size() > positions.size() ? along.size() - positions.size() : 0;
-      for (std::size_t i = 0; i < positions.size() && free; i += 2) {
-        // `along` is denser than the arc; its end and the arc's end belong together.
-        const std::size_t k = std::min(along.size() - 1, first + i);
+      std::size_t k =
+          0;  // `along` is denser than the arc: walk on to the posture that holds each of its poses
+      const Pose base_pose = bench.arm_base_pose(start, reach.arm);
+      for (std::size_t i = 0; i < positions.size() && free; ++i) {
+        const Eigen::Vector3d at = base_pose.inverse() * reach.tool[2 + i].translation();
+        while (k + 1 < along.size() &&
+               (bench.arm(reach.arm).forward(along[k]).translation() - at).norm() > 1e-4)
+          ++k;
         bench.checker().pose_joint(bench.world(), ref.part->joint.name, positions[i]);
         free = !bench.checker().collides(bench.with_arm(start, reach.arm, along[k]), query);
       }
@@ -124,7 +130,7 @@ Expected<Phases> TurnSkill::attempt(Workbench& bench, int number) {
     return {};
   };
   phases.push_back(close);
-  Phase turn = straight(door ? "swing" : "turn", arm, {reach.tool.begin() + 2, reach.tool.end()},
+  Phase turn = straight(door ? "swing" : "turn", arm, {reach.tool.begin() + 2, reach.tool.end() - 1},
                         reach.tolerances, 0.6);
   turn.settle = 0.1;
   turn.check = [=](Workbench& b) -> Expected<void> {

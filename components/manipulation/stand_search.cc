@@ -119,7 +119,7 @@ class Search {
     }
     std::size_t looked_at = 0;
     for (const std::size_t index : order_) {
-      if (looked_at >= options_.most_reaches) break;
+      if (looked_at >= options_.most_reaches || tries_ >= options_.most_tries) break;
       if (auto along = try_reach(q, reaches_[index], looked_at)) {
         return ReachSolution{candidate.stand, candidate.drives, index, std::move(*along)};
       }
@@ -136,10 +136,19 @@ class Search {
     // Quick no: too far, or reaching back towards oneself.
     if (first.translation().norm() > 1.15 || first.linear()(0, 2) < -0.35) return std::nullopt;
     ++looked_at;
+    ++tries_;
+    // Long ways (the arc of a door) mostly fail at their far end: ask for that first, it is cheap.
+    if (reach.tool.size() > 2) {
+      for (const std::size_t k : {reach.tool.size() - 1, reach.tool.size() / 2}) {
+        const Pose far = base.inverse() * reach.tool[k];
+        if (far.translation().norm() > 1.15) return std::nullopt;
+        if (bench_.arm(reach.arm).solve(far, bench_.arm_of(q, reach.arm), 8, 0.0).empty())
+          return std::nullopt;
+      }
+    }
     const auto& arm = bench_.arm(reach.arm);
     const ArmPositions seed = bench_.arm_of(q, reach.arm);
-    const CollisionQuery query{&bench_.checker().arm_parts(reach.arm), bench_.params().margin,
-                               &reach.tolerances, true};
+    const CollisionQuery query{&bench_.checker().arm_parts(reach.arm), bench_.params().margin, nullptr, true};
     int tried = 0;
     ArmPositions last{};
     for (const auto& start : arm.solve(first, seed, 16, 0.05)) {
@@ -166,6 +175,7 @@ class Search {
   const std::vector<Reach>& reaches_;
   const StandSearchOptions& options_;
   std::vector<std::size_t> order_;
+  std::size_t tries_ = 0;
 };
 
 }  // namespace

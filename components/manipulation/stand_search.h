@@ -30,7 +30,8 @@ struct StandSearchOptions {
   bool may_drive = true;
   // Extra check of a whole solution, for example a door that swings through the robot; empty: none.
   std::function<bool(const Configuration& start, const Reach&, const std::vector<ArmPositions>&)> accept;
-  std::size_t most_reaches = 60;  // per stand
+  std::size_t most_reaches = 60;   // per stand
+  std::size_t most_tries = 6'000;  // in all: bounds the time of a search in vain (about 0.1 ms each)
 };
 
 // Looks at the present stand first, then at others by how soon they are reached. kMotionFailed if none works.

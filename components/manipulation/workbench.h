@@ -103,6 +103,7 @@ class Workbench {
   Workbench(robot::RobotModel model, scene::Scene scene, ManipulationParams params);
   TimedJoints timed(const std::vector<int>& joints, double speed = 1.0) const;
   JointVector pick(const Configuration& q, const std::vector<int>& joints) const;
+  std::optional<ArmPositions> empty_posture(std::size_t arm) const;
   bool upright(const Configuration& q, std::size_t arm, double limit) const;
 
   const robot::RobotModel model_;

@@ -30,7 +30,7 @@ Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPosition
   {  // The goal may be near things on purpose (a hand before a handle); it was checked with the smaller
      // margin.
     CollisionQuery at_goal{&parts, params_.margin, &relaxed, true};
-    relaxed = checker_.baseline(target, at_goal);
+    relaxed = checker_.baseline(target, at_goal, 0.003);
   }
   query.tolerances = &relaxed;
   const double tilt = tilt_limit(arm);
@@ -130,7 +130,15 @@ Expected<JointTrajectory> Workbench::move_straight(std::size_t arm, const std::v
   const TimedJoints limits = timed(joints, speed);
   JointPath path;
   for (const auto& p : *points) path.push_back(Eigen::Map<const JointVector>(p.data(), 7));
-  return time_path(limits, through_points(path, limits.velocity.cwiseInverse(), kSpacing));
+  path = through_points(path, limits.velocity.cwiseInverse(), kSpacing);
+  // Between points at a limit the curve may swing beyond it by a hair.
+  for (auto& q : path) {
+    for (std::size_t i = 0; i < 7; ++i) {
+      auto& value = q[static_cast<Eigen::Index>(i)];
+      value = std::clamp(value, arms_[arm].lower()[i], arms_[arm].upper()[i]);
+    }
+  }
+  return time_path(limits, path);
 }
 
 Expected<JointTrajectory> Workbench::drive(const Stand& goal) {
@@ -145,7 +153,7 @@ Expected<JointTrajectory> Workbench::drive(const Stand& goal) {
   {
     CollisionQuery at_goal = query;
     at_goal.tolerances = &relaxed;
-    relaxed = checker_.baseline(target, at_goal);
+    relaxed = checker_.baseline(target, at_goal, 0.01);
   }
   query.tolerances = &relaxed;
   const TimedJoints limits = timed(joints);
@@ -189,8 +197,13 @@ JointTrajectory Workbench::move_fingers(std::size_t arm, double opening, double 
   for (const auto& name : model_.arms[arm].gripper.fingers) joints.push_back(model_.index_of(name));
   // From the command where there is one: fingers that grip are measured short of it.
   const Configuration& from = command_.size() == now_.size() ? command_ : now_;
-  return time_straight(timed(joints), pick(from, joints), pick(with_fingers(now_, arm, opening), joints),
-                       speed);
+  JointVector start = pick(from, joints);
+  for (std::size_t i = 0; i < joints.size(); ++i) {  // measured fingers may stand a hair outside
+    const auto& limits = model_.joints[static_cast<std::size_t>(joints[i])].limits;
+    auto& value = start[static_cast<Eigen::Index>(i)];
+    value = std::clamp(value, limits.lower, limits.upper);
+  }
+  return time_straight(timed(joints), start, pick(with_fingers(now_, arm, opening), joints), speed);
 }
 
 bool Workbench::is_tucked(std::size_t arm) const {
@@ -198,11 +211,35 @@ bool Workbench::is_tucked(std::size_t arm) const {
   return posture && robot::largest_step(arm_of(now_, arm), *posture) < 0.05;
 }
 
+// Home, or if something is in the way there, the nearest free place for the hand around it.
+std::optional<ArmPositions> Workbench::empty_posture(std::size_t arm) const {
+  const ArmPositions home = arm_of(model_.home(), arm);
+  const CollisionQuery query{&checker_.arm_parts(arm), params_.drive_margin, nullptr, true};
+  if (!checker_.collides(with_arm(now_, arm, home), query)) return home;
+  const double side = sides_[arm] > 0 ? 1.0 : -1.0;
+  const Pose tool = arms_[arm].forward(home);
+  for (const double inwards : {0.0, 0.5, -0.4, 1.0}) {
+    for (const double up : {0.0, 0.12, -0.1, 0.24}) {
+      for (const double out : {0.0, 0.08, 0.16, -0.08}) {
+        for (const double ahead : {0.0, -0.06, 0.08}) {
+          Pose pose = tool;
+          pose.linear() = Eigen::AngleAxisd(-side * inwards, Eigen::Vector3d::UnitZ()) * tool.linear();
+          pose.translation() += Eigen::Vector3d(ahead, side * out, up);
+          for (const auto& q : arms_[arm].solve(pose, home, 8, 0.05)) {
+            if (!checker_.collides(with_arm(now_, arm, q), query)) return q;
+          }
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<ArmPositions> Workbench::carry_posture(std::size_t arm) const {
   const ArmPositions current = arm_of(now_, arm);
-  const ArmPositions home = arm_of(model_.home(), arm);
-  if (!held_[arm]) return home;
-  if (carry_[arm]) return carry_[arm];
+  // Tucked already: stay so, also where another posture has become free meanwhile.
+  if (carry_[arm] && (held_[arm] || robot::largest_step(current, *carry_[arm]) < 0.05)) return carry_[arm];
+  if (!held_[arm]) return empty_posture(arm);
   const CollisionQuery query{&checker_.arm_parts(arm), params_.margin, nullptr, true};
   const Pose base = arm_base_pose(now_, arm);
   const Pose object_now = base.inverse() * tool_pose(now_, arm) * held_[arm]->object_in_tool;
@@ -240,7 +277,7 @@ Expected<JointTrajectory> Workbench::tuck(std::size_t arm) {
   const auto posture = carry_posture(arm);
   if (!posture) return fail(Outcome::kMotionFailed, "no posture to carry what the hand holds");
   auto motion = move_arm(arm, *posture, stand_of(now_).lift);
-  if (motion && held_[arm]) carry_[arm] = *posture;
+  if (motion) carry_[arm] = *posture;
   return motion;
 }
 

@@ -1,9 +1,10 @@
 // goalnet_skill_trial [--seed N] [--scene S] [--quiet] "moveto Mug_1" "grasp Mug_1" ...
+// [--contacts] also prints what the robot begins to touch.
 // Runs symbolic actions one after the other in physics, without DDS, and prints what happens. Exit code 0 if
 // all of them are done, else the outcome of the first that is not.
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <set>
 #include <sstream>
 
 #include "components/manipulation/testing/physics_harness.h"
@@ -12,7 +13,7 @@ int main(int argc, char** argv) {
   using namespace goalnet;
   std::uint64_t seed = 0;
   std::string scene = "kitchen";
-  bool quiet = false;
+  bool quiet = false, contacts = false;
   std::vector<Action> actions;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -22,6 +23,8 @@ int main(int argc, char** argv) {
       scene = argv[++i];
     } else if (word == "--quiet") {
       quiet = true;
+    } else if (word == "--contacts") {
+      contacts = true;
     } else {
       std::istringstream in(word);
       Action action;
@@ -38,6 +41,20 @@ int main(int argc, char** argv) {
   if (!quiet) {
     (*harness)->on_stage = [](double time, const std::string& stage) {
       std::printf("    %7.2f s  %s\n", time, stage.c_str());
+    };
+  }
+  std::set<std::string> touching;
+  if (contacts) {
+    (*harness)->cancel_when = [&](double time) {
+      std::set<std::string> now;
+      for (const auto& contact : (*harness)->world().contacts()) {
+        if (contact.a.starts_with("robot/") || contact.b.starts_with("robot/")) now.insert(contact.a + " - " + contact.b);
+      }
+      for (const auto& pair : now) {
+        if (!touching.contains(pair)) std::printf("      %7.2f s into it: %s\n", time, pair.c_str());
+      }
+      touching = now;
+      return false;
     };
   }
   for (const auto& action : actions) {
