@@ -187,6 +187,7 @@ def main():
         write_user_headers(output, pkg, files)
     types = type_descriptions.describe(packages)
     write_if_changed(output / "types.cc", type_descriptions.table(types))
+    write_if_changed(output / "supports.cc", type_descriptions.support_table(packages))
     for pkg in packages:
         write_if_changed(output / f"{pkg}_support.cc", type_descriptions.support(types, pkg))
 

@@ -28,4 +28,7 @@ struct TypeSupport {
 template <class Message>
 const TypeSupport& type_support();
 
+// The same for a name known only when running ("std_msgs/msg/String"); nullptr if idl/ has no such message.
+const TypeSupport* find_type_support(std::string_view name);
+
 }  // namespace goalnet::idl

@@ -3,6 +3,8 @@
 
 #include <fastcdr/Cdr.h>
 
+#include <vector>
+
 #include "idl/type_support.h"
 
 namespace goalnet::idl {

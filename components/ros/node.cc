@@ -4,6 +4,7 @@
 
 #include "components/ros/detail/participant.h"
 #include "components/ros/names.h"
+#include "components/ros/node_services.h"
 #include "components/ros/parameter_file.h"
 #include "rcl_interfaces/msg/Log.h"
 #include "rosgraph_msgs/msg/Clock.h"
@@ -34,6 +35,7 @@ rcl_interfaces::msg::Log to_msg(const LogRecord& record, Time now) {
 struct Node::Internals {
   std::shared_ptr<Publisher<rcl_interfaces::msg::Log>> rosout;
   std::shared_ptr<Subscription<rosgraph_msgs::msg::Clock>> clock;
+  std::unique_ptr<NodeServices> services;
 };
 
 Node::Node(Context& context, EventLoop& loop, NodeOptions options)
@@ -48,6 +50,7 @@ Node::Node(Context& context, EventLoop& loop, NodeOptions options)
   context_.participant()->add_node(namespace_, name_);
   try {
     if (options.rosout && options.arguments.rosout) open_rosout();
+    if (options.services) internals_->services = std::make_unique<NodeServices>(*this);
     const bool simulated = value_or_throw(
         declare_parameter("use_sim_time", options.use_sim_time, {.description = "follow /clock instead of the wall clock"}));
     follow_simulated_time(simulated);

@@ -1,0 +1,22 @@
+// What ROS 2 tools ask every node: its parameters, its log levels and what its types look like.
+#pragma once
+
+#include <memory>
+
+namespace goalnet::ros {
+
+class Node;
+
+// The six parameter services and /parameter_events, get_logger_levels and set_logger_levels, and in Jazzy
+// ~/get_type_description. Made by Node; runs in its loop.
+class NodeServices {
+ public:
+  explicit NodeServices(Node& node);
+  ~NodeServices();
+
+ private:
+  struct Impl;
+  std::shared_ptr<Impl> impl_;  // shared: observers of the parameters may outlive it
+};
+
+}  // namespace goalnet::ros
