@@ -14,7 +14,14 @@ void LmCut::restart(const RelaxedTask& relaxed) {
   cost_left_.resize(relaxed.task().actions.size());
   in_cut_.assign(relaxed.task().actions.size(), 0);
   proposition_cost_.resize(propositions);
-  zone_.resize(propositions);
+  in_zone_.assign(propositions, 0);
+  uses_.assign(propositions, 0);
+  reached_.resize(propositions);
+  precondition_count_.resize(operators);
+  for (std::size_t i = 0; i < operators; ++i) {
+    const RelaxedOperator& op = relaxed.operators()[i];
+    precondition_count_[i] = static_cast<std::int32_t>(op.precondition_end - op.precondition_begin);
+  }
   unsatisfied_.resize(operators);
   supporter_.resize(operators);
   supporter_cost_.resize(operators);
@@ -31,9 +38,7 @@ void LmCut::reach(Proposition p, std::int64_t cost) {
 void LmCut::explore(const Word* state) {
   const auto& operators = relaxed_->operators();
   std::fill(proposition_cost_.begin(), proposition_cost_.end(), kUnreached);
-  for (std::size_t i = 0; i < operators.size(); ++i) {
-    unsatisfied_[i] = static_cast<std::int32_t>(operators[i].precondition_end - operators[i].precondition_begin);
-  }
+  unsatisfied_ = precondition_count_;
   queue_.clear();
   relaxed_->for_each_true(state, [this](Literal literal) { reach(literal, 0); });
   reach(relaxed_->always(), 0);
@@ -93,33 +98,74 @@ void LmCut::propagate() {
   }
 }
 
-// Propositions from which the goal follows by operators that cost nothing any more.
+// The goal zone: propositions from which the goal follows by operators that cost nothing any more. No free operator may
+// enter it from outside, so one precondition of each must be in the zone. Any that itself costs something will do (the
+// classical choice is the dearest); taking those that most operators share keeps the zone, and with it the cut, small,
+// and leaves more for later cuts. With forty cups to pour from, this is the difference between 6 and 10.
 void LmCut::mark_goal_zone(Proposition goal) {
-  stack_.assign(1, goal);
-  zone_[static_cast<std::size_t>(goal)] = 1;
-  while (!stack_.empty()) {
-    const Proposition p = stack_.back();
-    stack_.pop_back();
+  constexpr std::size_t kMostPending = 400;  // beyond, choosing well costs more than it gives
+  const auto enter = [this](Proposition p) {
+    in_zone_[static_cast<std::size_t>(p)] = 1;
+    zone_.push_back(p);
     for (const std::int32_t producer : relaxed_->producers(p)) {
       const auto i = static_cast<std::size_t>(producer);
       const RelaxedOperator& op = relaxed_->operators()[i];
       if (unsatisfied_[i] > 0 || (op.action >= 0 && cost_left_[static_cast<std::size_t>(op.action)] > 0)) continue;
-      auto& mark = zone_[static_cast<std::size_t>(supporter_[i])];
-      if (mark != 0) continue;
-      mark = 1;
-      stack_.push_back(supporter_[i]);
+      pending_.push_back(producer);
     }
+  };
+  zone_.clear();
+  pending_.clear();
+  enter(goal);
+  while (true) {
+    std::erase_if(pending_, [this](std::int32_t op) {
+      return needs_zone(relaxed_->operators()[static_cast<std::size_t>(op)]);
+    });
+    if (pending_.empty()) return;
+    if (pending_.size() == 1 || pending_.size() > kMostPending) {
+      enter(supporter_[static_cast<std::size_t>(pending_.back())]);
+      continue;
+    }
+    Proposition best = -1;
+    for (const std::int32_t op : pending_) {
+      for (const Proposition p : relaxed_->preconditions(relaxed_->operators()[static_cast<std::size_t>(op)])) {
+        const auto i = static_cast<std::size_t>(p);
+        if (proposition_cost_[i] == 0) continue;
+        ++uses_[i];
+        const auto rank = [this](Proposition q) {
+          return std::pair{uses_[static_cast<std::size_t>(q)], proposition_cost_[static_cast<std::size_t>(q)]};
+        };
+        if (best < 0 || rank(p) > rank(best)) best = p;
+      }
+    }
+    for (const std::int32_t op : pending_) {
+      for (const Proposition p : relaxed_->preconditions(relaxed_->operators()[static_cast<std::size_t>(op)])) {
+        uses_[static_cast<std::size_t>(p)] = 0;
+      }
+    }
+    enter(best);
   }
 }
 
-// Forward along supporters; operators that enter the goal zone are the cut. False if the zone contains the state.
-bool LmCut::find_cut(const Word* state) {
+bool LmCut::needs_zone(const RelaxedOperator& op) const {
+  for (const Proposition p : relaxed_->preconditions(op)) {
+    if (in_zone_[static_cast<std::size_t>(p)] != 0) return true;
+  }
+  return false;
+}
+
+// The cut: operators that can be the first to enter the zone, because all they need is reached outside of it.
+// Which of the producers these are is found by exploring the relaxation without the zone.
+void LmCut::find_cut(const Word* state) {
+  const auto& operators = relaxed_->operators();
   cut_.clear();
+  missing_ = precondition_count_;
+  std::fill(reached_.begin(), reached_.end(), std::uint8_t{0});
   stack_.clear();
   const auto visit = [this](Proposition p) {
-    auto& mark = zone_[static_cast<std::size_t>(p)];
+    auto& mark = reached_[static_cast<std::size_t>(p)];
     if (mark != 0) return;
-    mark = 2;
+    mark = 1;
     stack_.push_back(p);
   };
   relaxed_->for_each_true(state, visit);
@@ -129,10 +175,10 @@ bool LmCut::find_cut(const Word* state) {
     stack_.pop_back();
     for (const std::int32_t user : relaxed_->users(p)) {
       const auto i = static_cast<std::size_t>(user);
-      if (supporter_[i] != p || unsatisfied_[i] > 0) continue;
+      if (--missing_[i] != 0) continue;
       bool enters = false;
-      const auto effects = relaxed_->effects(relaxed_->operators()[i]);
-      for (const Proposition effect : effects) enters = enters || zone_[static_cast<std::size_t>(effect)] == 1;
+      const auto effects = relaxed_->effects(operators[i]);
+      for (const Proposition effect : effects) enters = enters || in_zone_[static_cast<std::size_t>(effect)] != 0;
       if (enters) {
         cut_.push_back(user);
       } else {
@@ -140,7 +186,6 @@ bool LmCut::find_cut(const Word* state) {
       }
     }
   }
-  return !cut_.empty();
 }
 
 bool LmCut::reachable(ConditionId condition) const {
@@ -155,9 +200,10 @@ std::int64_t LmCut::evaluate(const Word* state, Budget& budget) {
   if (proposition_cost_[goal] >= kUnreached) return kDeadEnd;
   std::int64_t total = 0;
   while (proposition_cost_[goal] > 0 && !budget.poll()) {
-    std::fill(zone_.begin(), zone_.end(), std::uint8_t{0});
     mark_goal_zone(relaxed_->goal());
-    if (!find_cut(state)) break;
+    find_cut(state);
+    for (const Proposition p : zone_) in_zone_[static_cast<std::size_t>(p)] = 0;
+    if (cut_.empty()) break;
     std::int64_t cheapest = INT64_MAX;
     cut_actions_.clear();
     for (const std::int32_t op : cut_) {

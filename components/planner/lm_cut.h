@@ -24,6 +24,10 @@ class LmCut {
 
   // Whether the relaxation reaches this from the state last evaluated.
   bool reachable(ConditionId condition) const;
+  // After evaluate(): the cost that no cut has taken, of an action, and of reaching a proposition (at least kDeadEnd if
+  // that is not possible).
+  std::int64_t cost_left(std::int32_t action) const { return cost_left_[static_cast<std::size_t>(action)]; }
+  std::int64_t cost_left_to(Proposition p) const { return proposition_cost_[static_cast<std::size_t>(p)]; }
 
  private:
   void explore(const Word* state);
@@ -31,7 +35,8 @@ class LmCut {
   void reach(Proposition p, std::int64_t cost);
   void update_supporter(std::int32_t op);
   void mark_goal_zone(Proposition p);
-  bool find_cut(const Word* state);
+  bool needs_zone(const RelaxedOperator& op) const;
+  void find_cut(const Word* state);
 
   const RelaxedTask* relaxed_ = nullptr;
   std::vector<std::int64_t> cost_left_;       // by action
@@ -39,7 +44,11 @@ class LmCut {
   std::vector<std::int32_t> unsatisfied_;     // by operator
   std::vector<Proposition> supporter_;        // by operator: its most expensive precondition
   std::vector<std::int64_t> supporter_cost_;
-  std::vector<std::uint8_t> zone_;            // by proposition: 1 = leads to the goal for free, 2 = reached before
+  std::vector<Proposition> zone_;             // leads to the goal for free
+  std::vector<std::uint8_t> in_zone_, reached_;  // by proposition
+  std::vector<std::int32_t> precondition_count_, missing_;  // by operator
+  std::vector<std::int32_t> uses_;            // by proposition; zero between uses
+  std::vector<std::int32_t> pending_;         // operators
   std::vector<Proposition> stack_;
   std::vector<std::int32_t> cut_;             // operators
   std::vector<std::int32_t> cut_actions_;

@@ -60,7 +60,11 @@ void OptimalSearch::generate(std::int32_t parent, std::int32_t action) {
   node.action = action;
   node.closed = false;
   node.h = is_new ? inherited : std::max(node.h, inherited);
-  if (node.g + node.h < upper_bound_) push(id);
+  if (node.g + node.h < upper_bound_) {
+    push(id);
+  } else {
+    bound_used_ = true;
+  }
 }
 
 void OptimalSearch::extract(std::int32_t id) {
@@ -81,7 +85,7 @@ void OptimalSearch::start(const GroundTask& task, LmCut& lm_cut, const Word* ini
   task_ = &task;
   lm_cut_ = &lm_cut;
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
-  symmetry_used_ = false;
+  symmetry_used_ = bound_used_ = false;
   states_.restart(words, true);
   nodes_.clear();
   heap_.clear();
@@ -109,7 +113,10 @@ OptimalSearch::Result OptimalSearch::resume(const SearchLimits& limits, Budget& 
       break;
     }
     const auto id = static_cast<std::size_t>(entry.node);
-    if (nodes_[id].g + nodes_[id].h >= upper_bound_) break;  // and so is everything behind it
+    if (nodes_[id].g + nodes_[id].h >= upper_bound_) {  // and so is everything behind it
+      bound_used_ = true;
+      break;
+    }
     if (all_hold(task, states_.state(entry.node), task.goal)) {
       lower_bound_ = std::max(lower_bound_, nodes_[id].g);
       extract(entry.node);
@@ -122,8 +129,10 @@ OptimalSearch::Result OptimalSearch::resume(const SearchLimits& limits, Budget& 
       const bool worse = h > nodes_[id].h;
       nodes_[id].h = h;
       nodes_[id].evaluated = true;
-      if (h >= LmCut::kDeadEnd || nodes_[id].g + h >= upper_bound_) {
-        continue;  // stays known, is never expanded
+      if (h >= LmCut::kDeadEnd) continue;  // stays known, is never expanded
+      if (nodes_[id].g + h >= upper_bound_) {
+        bound_used_ = true;
+        continue;
       }
       if (worse) {
         push(entry.node);

@@ -32,6 +32,9 @@ class OptimalSearch {
   Result resume(const SearchLimits& limits, Budget& budget, Statistics& statistics);
 
   const std::vector<std::int32_t>& plan() const { return plan_; }
+  // Whether some state was left aside because of the upper bound: then kExhausted holds only below it.
+  bool bound_used() const { return bound_used_; }
+  std::int64_t expanded() const { return expanded_; }
   // No plan is cheaper than this; grows while searching.
   std::int64_t lower_bound() const { return lower_bound_; }
 
@@ -75,6 +78,7 @@ class OptimalSearch {
   StubbornSets stubborn_;
   Symmetry symmetry_;
   bool symmetry_used_ = false;
+  bool bound_used_ = false;
   std::vector<Word> next_, key_;
   std::vector<std::int32_t> plan_;
   std::int64_t lower_bound_ = 0;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "components/planner/goal_mutex.h"
 #include "components/planner/greedy_search.h"
 #include "components/planner/grounder.h"
 #include "components/planner/normal_form.h"
 #include "components/planner/one_action.h"
 #include "components/planner/optimal_search.h"
+#include "components/planner/task_filter.h"
 #include "components/planner/world.h"
 
 namespace goalnet::planner {
@@ -36,6 +38,12 @@ struct Planner::Impl {
   RelaxedTask relaxed;
   LmCut lm_cut;
   RelaxedPlanner relaxed_planner;
+  std::int64_t first_estimate = 0;  // LM-cut of the initial state in the whole task
+  TaskFilter filter;                // the task narrowed down to plans below a bound
+  GroundTask focused;
+  RelaxedTask focused_relaxed;
+  LmCut focused_lm_cut;
+  std::vector<Word> focused_initial;
   OptimalSearch optimal;
   GreedySearch greedy;
   Problem scratch;  // for solve(WorldState, Goal)
@@ -50,7 +58,12 @@ struct Planner::Impl {
   Expected<Plan> stopped(const Budget& budget, const SolveOptions& options) const;
   Expected<Plan> finish(Plan plan, bool found, const Budget& budget, const SolveOptions& options);
   Expected<Plan> search(const Problem& problem, const SolveOptions& options, Budget& budget);
-  std::string unreachable_message();
+  std::string unreachable_message() const;
+  std::string literal_text(Literal literal) const;
+  // How much of the task a bound leaves: nothing (no plan below it), a part, all that is reachable.
+  enum class Focus { kNone, kPart, kAll };
+  Focus focus_on(std::int64_t bound, Plan& plan, Budget& budget);
+  std::int64_t dearest_action() const;
   void improve(Plan& plan, bool& found, const SolveOptions& options, Budget& budget);
 };
 
@@ -153,12 +166,18 @@ Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions&
   ++plan.statistics.evaluated;
   const std::int64_t estimate = lm_cut.evaluate(initial.data(), budget);
   if (estimate >= LmCut::kDeadEnd) return fail(Outcome::kNoPlan, unreachable_message());
-  plan.lower_bound = estimate;
+  plan.lower_bound = first_estimate = estimate;
   found = relaxed_planner.execute(initial.data(), budget, &best);
   if (found) {
     plan.cost = cost_of(best);
     plan.statistics.method = "relaxed plan";
     plan.optimal = plan.cost == plan.lower_bound;
+  }
+  if (!found) {
+    if (const auto mutex = find_goal_mutex(task, budget)) {
+      return fail(Outcome::kNoPlan, "there is no plan: " + literal_text(mutex->first) + " and " +
+                                        literal_text(mutex->second) + " exclude each other");
+    }
   }
   if (!plan.optimal && !(found && options.satisficing) && !budget.check()) improve(plan, found, options, budget);
   plan.statistics.search_seconds = seconds_since(search_start);
@@ -188,50 +207,99 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     plan.optimal = found && plan.cost == plan.lower_bound;
     return;
   }
-  optimal.start(task, lm_cut, initial.data(), plan.lower_bound);
-  limits.nodes = options.node_limit > 0 ? std::min(options.node_limit, kFirstNodes) : kFirstNodes;
-  auto result = optimal.resume(limits, budget, plan.statistics);
-  if (result == OptimalSearch::Result::kNodeLimit) {
-    if (!found) {
-      // With a time limit the greedy search may have half of what is left.
-      Budget half(options.stop, budget.limited() ? (budget.deadline() - Clock::now()) / 2 : std::chrono::seconds(0));
-      greedily(kFirstStates, half);
+  bool greedy_tried = false;
+  // Plans up to a little above the lower bound first: the fewer actions fit under the bound, the faster the search.
+  // The bound grows until a plan is found or nothing was left out.
+  const std::int64_t unit = dearest_action();
+  for (std::int64_t round = 0; !budget.check(); ++round) {
+    const std::int64_t slack = round < 3 ? 1 : std::int64_t{1} << std::min<std::int64_t>(round - 2, 30);
+    const std::int64_t bound = std::min(limits.upper_bound, plan.lower_bound + slack * unit);
+    const Focus focus = focus_on(bound, plan, budget);
+    if (focus == Focus::kNone) {  // nothing below the bound
+      plan.lower_bound = bound;
+      if (bound == limits.upper_bound) break;
+      continue;
     }
-    limits.nodes = options.node_limit;
-    // Without a plan so far some time must be left for finding one.
-    if (!found && budget.limited()) {
-      Budget part(options.stop, (budget.deadline() - Clock::now()) / 2);
-      result = optimal.resume(limits, part, plan.statistics);
-    } else {
-      result = optimal.resume(limits, budget, plan.statistics);
+    SearchLimits here = limits;
+    here.upper_bound = bound;
+    optimal.start(focused, focused_lm_cut, focused_initial.data(), plan.lower_bound);
+    auto result = OptimalSearch::Result::kNodeLimit;
+    if (!found && !greedy_tried) {
+      here.nodes = options.node_limit > 0 ? std::min(options.node_limit, kFirstNodes) : kFirstNodes;
+      result = optimal.resume(here, budget, plan.statistics);
+      if (result == OptimalSearch::Result::kNodeLimit) {
+        greedy_tried = true;
+        // With a time limit the greedy search may have half of what is left.
+        Budget half(options.stop, budget.limited() ? (budget.deadline() - Clock::now()) / 2 : std::chrono::seconds(0));
+        greedily(kFirstStates, half);
+        here.upper_bound = std::min(here.upper_bound, limits.upper_bound);
+      }
     }
+    if (result == OptimalSearch::Result::kNodeLimit) {
+      here.nodes = options.node_limit;
+      // Without a plan so far some time must be left for finding one.
+      Budget part(options.stop, budget.limited() ? (budget.deadline() - Clock::now()) / 2 : std::chrono::seconds(0));
+      result = optimal.resume(here, found ? budget : part, plan.statistics);
+    }
+    plan.lower_bound = std::max(plan.lower_bound, std::min(optimal.lower_bound(), bound));
+    if (result == OptimalSearch::Result::kFound) {
+      best.clear();
+      for (const std::int32_t action : optimal.plan()) {
+        best.push_back(filter.original()[static_cast<std::size_t>(action)]);
+      }
+      plan.cost = plan.lower_bound = cost_of(best);
+      plan.statistics.method = "A*";
+      found = true;
+      break;
+    }
+    if (result == OptimalSearch::Result::kExhausted) {
+      plan.lower_bound = std::max(plan.lower_bound, here.upper_bound);
+      if (here.upper_bound == limits.upper_bound && found) break;
+      if (focus == Focus::kAll && !optimal.bound_used()) {
+        exhausted = true;
+        break;
+      }
+      continue;
+    }
+    if (!found && !budget.check()) exhausted = greedily(INT64_MAX, budget) == GreedySearch::Result::kExhausted;
+    break;
   }
-  plan.lower_bound = std::max(plan.lower_bound, optimal.lower_bound());
-  if (result == OptimalSearch::Result::kFound) {
-    best = optimal.plan();
-    plan.cost = plan.lower_bound = cost_of(best);
-    plan.optimal = found = true;
-    plan.statistics.method = "A*";
-  } else if (result == OptimalSearch::Result::kExhausted) {
-    plan.optimal = found;
-    plan.lower_bound = plan.cost;
-    exhausted = true;
-  } else if (!found && !budget.check()) {
-    exhausted = greedily(INT64_MAX, budget) == GreedySearch::Result::kExhausted;
-  }
-  plan.lower_bound = found ? std::min(plan.lower_bound, plan.cost) : plan.lower_bound;
+  if (found) plan.lower_bound = std::min(plan.lower_bound, plan.cost);
   plan.optimal = found && plan.lower_bound == plan.cost;
 }
 
-std::string Planner::Impl::unreachable_message() {
-  if (task.goal.size() > 1) {
-    for (const ConditionId condition : task.goal) {
-      if (condition < 0 || lm_cut.reachable(condition)) continue;
-      const AtomRef atom = task.atoms[condition >> 1];
-      std::string text = "(" + domain.predicates.name(atom.predicate);
-      for (const ObjectId id : atom.arguments) text += " " + index.problem().object_name(id);
-      text += ")";
-      return "there is no plan: nothing can make " + ((condition & 1) != 0 ? "(not " + text + ")" : text) + " true";
+std::int64_t Planner::Impl::dearest_action() const {
+  std::int64_t dearest = 1;
+  for (const GroundAction& action : task.actions) dearest = std::max(dearest, action.cost);
+  return dearest;
+}
+
+// Filters the task for plans below `bound`, again as long as that raises the estimate. Raises plan.lower_bound.
+Planner::Impl::Focus Planner::Impl::focus_on(std::int64_t bound, Plan& plan, Budget& budget) {
+  std::int64_t estimate = first_estimate;
+  std::int64_t left_out = filter.filter(task, relaxed, lm_cut, estimate, bound, focused);
+  if (focused.goal_impossible) return Focus::kNone;
+  focused_relaxed.build(focused);
+  initial_state(focused, &focused_initial);
+  focused_lm_cut.restart(focused_relaxed);
+  ++plan.statistics.evaluated;
+  estimate = focused_lm_cut.evaluate(focused_initial.data(), budget);
+  if (estimate >= bound && !budget.check()) return Focus::kNone;
+  plan.lower_bound = std::max(plan.lower_bound, std::min(estimate, bound));
+  return left_out == 0 ? Focus::kAll : Focus::kPart;
+}
+
+std::string Planner::Impl::literal_text(Literal literal) const {
+  const AtomRef atom = task.atoms[literal >> 1];
+  std::string text = "(" + domain.predicates.name(atom.predicate);
+  for (const ObjectId id : atom.arguments) text += " " + index.problem().object_name(id);
+  return (literal & 1) != 0 ? "(not " + text + "))" : text + ")";
+}
+
+std::string Planner::Impl::unreachable_message() const {
+  for (const ConditionId condition : task.goal) {
+    if (condition >= 0 && !lm_cut.reachable(condition)) {
+      return "there is no plan: nothing can make " + literal_text(condition) + " true";
     }
   }
   return "there is no plan: nothing leads to the goal";

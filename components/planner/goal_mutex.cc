@@ -1,0 +1,111 @@
+#include "components/planner/goal_mutex.h"
+
+#include <algorithm>
+
+namespace goalnet::planner {
+namespace {
+
+using Pair = std::pair<Literal, Literal>;
+Pair ordered(Literal a, Literal b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+
+class Prover {
+ public:
+  Prover(const GroundTask& task, Budget& budget) : task_(task), budget_(budget), producers_(task.needed.size()) {
+    for (std::size_t a = 0; a < task.actions.size(); ++a) {
+      for (const GroundEffect& effect : task.effects_of(task.actions[a])) {
+        producers_[static_cast<std::size_t>(effect.literal)].push_back(static_cast<std::int32_t>(a));
+      }
+    }
+  }
+
+  // Assumes the pair and all that its proof needs, until nothing is left to show or something fails.
+  bool prove(Literal p, Literal q) {
+    assumed_.clear();
+    open_.clear();
+    if (!assume(ordered(p, q))) return false;
+    while (!open_.empty()) {
+      const Pair pair = open_.back();
+      open_.pop_back();
+      if (!step(pair.first, pair.second) || !step(pair.second, pair.first)) return false;
+      if (assumed_.size() > kMostPairs || budget_.poll()) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kMostPairs = 64;
+
+  bool initially(Literal literal) const {
+    return (task_.initial[static_cast<std::size_t>(literal >> 1)] != 0) == ((literal & 1) == 0);
+  }
+
+  bool assume(Pair pair) {
+    if (pair.second == opposite(pair.first)) return true;  // trivially
+    if (pair.first == pair.second || (initially(pair.first) && initially(pair.second))) return false;
+    if (std::find(assumed_.begin(), assumed_.end(), pair) != assumed_.end()) return true;
+    assumed_.push_back(pair);
+    open_.push_back(pair);
+    return true;
+  }
+
+  // No action that produces p leaves q true.
+  bool step(Literal p, Literal q) {
+    for (const std::int32_t a : producers_[static_cast<std::size_t>(p)]) {
+      const GroundAction& action = task_.actions[static_cast<std::size_t>(a)];
+      bool destroys = false, produces = false;
+      for (const GroundEffect& effect : task_.effects_of(action)) {
+        destroys = destroys || (effect.literal == opposite(q) && !effect.conditional());
+        produces = produces || effect.literal == q;
+      }
+      if (produces) return false;
+      if (destroys) continue;
+      // A precondition that excludes q: q's opposite, or something for which the same must be shown.
+      const auto needs = task_.preconditions(action);
+      if (std::find(needs.begin(), needs.end(), opposite(q)) != needs.end()) continue;
+      const bool excluded = std::any_of(needs.begin(), needs.end(), [&](ConditionId r) {
+        return r >= 0 && r != p && std::find(assumed_.begin(), assumed_.end(), ordered(r, q)) != assumed_.end();
+      });
+      if (excluded) continue;
+      const bool shown = std::any_of(needs.begin(), needs.end(), [&](ConditionId r) {
+        return r >= 0 && r != q && !initially_together(r, q) && plausible(r, q) && assume(ordered(r, q));
+      });
+      if (!shown) return false;
+    }
+    return true;
+  }
+
+  bool initially_together(Literal r, Literal q) const { return initially(r) && initially(q); }
+
+  // Every producer of r destroys q at once: the cheap sufficient look before assuming.
+  bool plausible(Literal r, Literal q) const {
+    const auto& makers = producers_[static_cast<std::size_t>(r)];
+    return !makers.empty() && std::all_of(makers.begin(), makers.end(), [&](std::int32_t a) {
+      const auto effects = task_.effects_of(task_.actions[static_cast<std::size_t>(a)]);
+      return std::any_of(effects.begin(), effects.end(), [&](const GroundEffect& effect) {
+        return effect.literal == opposite(q) && !effect.conditional();
+      });
+    });
+  }
+
+  const GroundTask& task_;
+  Budget& budget_;
+  std::vector<std::vector<std::int32_t>> producers_;
+  std::vector<Pair> assumed_, open_;
+};
+
+}  // namespace
+
+std::optional<std::pair<Literal, Literal>> find_goal_mutex(const GroundTask& task, Budget& budget) {
+  constexpr std::size_t kMostGoals = 60;
+  if (task.goal.size() > kMostGoals) return std::nullopt;
+  Prover prover(task, budget);
+  for (std::size_t i = 0; i < task.goal.size(); ++i) {
+    for (std::size_t j = 0; j < i && !budget.poll(); ++j) {
+      if (task.goal[i] < 0 || task.goal[j] < 0) continue;
+      if (prover.prove(task.goal[i], task.goal[j])) return Pair{task.goal[j], task.goal[i]};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace goalnet::planner
