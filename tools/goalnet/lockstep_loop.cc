@@ -37,7 +37,7 @@ ros::Arguments node_arguments(const LoopOptions& options, std::string_view compo
   if (!simulator) set("use_sim_time", true);
   if (simulator || executor) set("lockstep", true);
   if (simulator || manipulation || world_model) set("scene", options.scene);
-  if (simulator || manipulation) set("seed", static_cast<std::int64_t>(options.seed));
+  if (simulator) set("seed", static_cast<std::int64_t>(options.seed));
   if ((simulator || executor || manipulation || world_model) && !options.robot.empty())
     set("robot", options.robot);
   if (component == "goalnet" && !options.model.empty()) set("model", options.model);
