@@ -14,13 +14,15 @@ std::size_t gid_size(Distro distro) { return distro == Distro::kHumble ? 24 : 16
 
 class Encoder {
  public:
-  explicit Encoder(std::size_t gid_bytes) : gid_bytes_(gid_bytes) { bytes_ = {0, 1, 0, 0}; }
+  Encoder(std::size_t gid_bytes, std::uint8_t padding) : gid_bytes_(gid_bytes), padding_(padding) {
+    bytes_ = {0, 1, 0, 0};
+  }
   void gid(const Gid& gid) {
     bytes_.insert(bytes_.end(), gid.begin(), gid.end());
     bytes_.resize(bytes_.size() + gid_bytes_ - gid.size());
   }
   void number(std::size_t value) {
-    while (bytes_.size() % 4 != 0) bytes_.push_back(0);
+    while (bytes_.size() % 4 != 0) bytes_.push_back(padding_);
     for (int shift = 0; shift < 32; shift += 8) bytes_.push_back(static_cast<std::uint8_t>(value >> shift));
   }
   void text(const std::string& text) {
@@ -32,6 +34,7 @@ class Encoder {
 
  private:
   std::size_t gid_bytes_;
+  std::uint8_t padding_;
   std::vector<std::uint8_t> bytes_;
 };
 
@@ -108,8 +111,8 @@ bool Graph::remove(const Gid& gid) {
   return removed > 0;
 }
 
-std::vector<std::uint8_t> Graph::encode(Distro distro) const {
-  Encoder out(gid_size(distro));
+std::vector<std::uint8_t> Graph::encode(Distro distro, std::uint8_t padding) const {
+  Encoder out(gid_size(distro), padding);
   out.gid(participant_);
   out.number(nodes_.size());
   for (const GraphNode& node : nodes_) {

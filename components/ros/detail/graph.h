@@ -29,8 +29,8 @@ class Graph {
   bool remove(const Gid& gid);
 
   // ParticipantEntitiesInfo in the layout of the distribution (a Gid has 24 bytes in Humble, 16 in Jazzy),
-  // with encapsulation, little endian.
-  std::vector<std::uint8_t> encode(Distro distro) const;
+  // with encapsulation, little endian. `padding` fills what carries no data.
+  std::vector<std::uint8_t> encode(Distro distro, std::uint8_t padding = 0) const;
 
   const std::vector<GraphNode>& nodes() const { return nodes_; }
 
