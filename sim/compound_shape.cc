@@ -19,9 +19,10 @@ std::unique_ptr<btCollisionShape> make_primitive(const scene::Shape& shape) {
     case scene::ShapeKind::kSphere:
       return std::make_unique<btSphereShape>(shape.size.x());  // its margin is its radius
   }
-  // Bullet rounds corners by its margin; keep that small against the thing itself.
+  // Bullet rounds corners by its margin: as large as thin things allow, because with smaller ones discs rock
+  // for ever.
   const double least = scene::half_extents(shape).minCoeff();
-  result->setMargin(std::min(0.002, 0.2 * least));
+  result->setMargin(std::min(0.004, 0.45 * least));
   return result;
 }
 

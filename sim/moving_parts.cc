@@ -56,7 +56,11 @@ MovingParts::MovingParts(Physics& physics, const scene::Scene& scene) : physics_
       physics.add_articulated(body, names, kPartGroup, kRobotGroup | kObjectGroup);
       for (std::size_t k = 0; k < members.size(); ++k) {
         const scene::Joint& joint = fixture.parts[members[k]].joint;
-        joints_[first + members[k]] = {&joint, &body, k, inertia_about_joint(body.links()[k]), 0.0, false};
+        JointOfPart& entry = joints_[first + members[k]];
+        entry.spec = &joint;
+        entry.body = &body;
+        entry.link = k;
+        entry.inertia = inertia_about_joint(body.links()[k]);
         limits_.push_back(std::make_unique<btMultiBodyJointLimitConstraint>(&body.body(), static_cast<int>(k),
                                                                             joint.lower, joint.upper));
         physics.world().addMultiBodyConstraint(limits_.back().get());
@@ -101,6 +105,11 @@ bool MovingParts::asleep(const JointOfPart& joint) const {
   return false;
 }
 
+void MovingParts::freeze(std::size_t i, bool frozen) {
+  if (frozen && !joints_[i].frozen) joints_[i].frozen_at = position(i);
+  joints_[i].frozen = frozen;
+}
+
 void MovingParts::apply(double dt) {
   for (auto& joint : joints_) {
     // Bullet neither moves nor clears the forces of what sleeps.
@@ -110,8 +119,8 @@ void MovingParts::apply(double dt) {
     const scene::Joint& spec = *joint.spec;
     // Dry friction: at most what stops the joint within this step.
     const double stop = joint.inertia * v / dt;
-    double effort =
-        joint.frozen ? -stop : -std::clamp(stop, -spec.friction, spec.friction) - spec.damping * v;
+    double effort = -std::clamp(stop, -spec.friction, spec.friction) - spec.damping * v;
+    if (joint.frozen) effort = -stop - 0.3 * joint.inertia * (q - joint.frozen_at) / (dt * dt);
     if (spec.return_force > 0.0 && !joint.frozen) {
       const double soft =
           spec.kind == scene::JointKind::kPrismatic ? 0.001 : 0.02;  // fades out near its rest

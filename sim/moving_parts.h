@@ -25,7 +25,7 @@ class MovingParts {
   double velocity(std::size_t i) const;
   double effort(std::size_t i) const { return joints_[i].effort; }
   void set_position(std::size_t i, double q);
-  void freeze(std::size_t i, bool frozen) { joints_[i].frozen = frozen; }
+  void freeze(std::size_t i, bool frozen);
 
   // Friction and springs for the physics step ahead.
   void apply(double dt);
@@ -38,6 +38,7 @@ class MovingParts {
     double inertia = 0;  // [kg m^2 or kg] about the joint
     double effort = 0;
     bool frozen = false;
+    double frozen_at = 0;
   };
   bool asleep(const JointOfPart& joint) const;
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRulePeriod = 0.01;  // [s] device rules are slow next to the physics
 
-// A floor of the room's size and a margin, top at z = 0.
+// A floor wide enough that nothing that falls or rolls gets off it; top at z = 0.
 std::vector<scene::Shape> floor_of(const scene::Scene& scene) {
   scene::Shape floor;
   floor.size = {scene.floor_x_max - scene.floor_x_min + 4.0, scene.floor_y_max - scene.floor_y_min + 4.0,
