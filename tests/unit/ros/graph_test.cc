@@ -1,0 +1,234 @@
+// What other participants see of us: nodes, endpoints, type hashes, names that come and go; the environment.
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <mutex>
+
+#include "components/ros/detail/graph.h"
+#include "components/ros/detail/participant.h"
+#include "components/ros/service.h"
+#include "std_msgs/msg/String.h"
+#include "std_srvs/srv/Trigger_service.h"
+#include "tests/unit/ros/support.h"
+
+namespace goalnet::ros {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+
+// A bare Fast DDS participant that only listens to discovery, as a ROS 2 tool does.
+struct Watcher : dds::DomainParticipantListener {
+  std::mutex mutex;
+  std::map<std::string, std::string> user_data;  // of endpoints, by topic
+  std::string participant_name, participant_data;
+  int participants = 0;
+  dds::DomainParticipant* participant = nullptr;
+
+  explicit Watcher(int domain) {
+    participant = dds::DomainParticipantFactory::get_instance()->create_participant(domain, dds::PARTICIPANT_QOS_DEFAULT, this,
+                                                                                    dds::StatusMask::none());
+  }
+  ~Watcher() override { dds::DomainParticipantFactory::get_instance()->delete_participant(participant); }
+
+  void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) override {
+    std::lock_guard lock(mutex);
+    if (info.status == rtps::ParticipantDiscoveryInfo::DISCOVERED_PARTICIPANT) {
+      ++participants;
+      participant_name = info.info.m_participantName.to_string();
+      participant_data.assign(info.info.m_userData.begin(), info.info.m_userData.end());
+    } else if (info.status == rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT) {
+      --participants;
+    }
+  }
+  void on_publisher_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) override {
+    remember(info.info.topicName().to_string(), info.info.m_qos.m_userData);
+  }
+  void on_subscriber_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
+    remember(info.info.topicName().to_string(), info.info.m_qos.m_userData);
+  }
+  template <class Data>
+  void remember(const std::string& topic, const Data& data) {
+    std::lock_guard lock(mutex);
+    user_data[topic] = std::string(data.begin(), data.end());
+  }
+  bool wait_for(const std::function<bool()>& condition) {
+    for (int i = 0; i < 400; ++i) {
+      {
+        std::lock_guard lock(mutex);
+        if (condition()) return true;
+      }
+      std::this_thread::sleep_for(10ms);
+    }
+    return false;
+  }
+};
+
+TEST(Graph, JazzyEndpointsCarryTheirTypeHash) {
+  Watcher watcher(kGraphDomain);
+  auto context = make_context(kGraphDomain, Distro::kJazzy);
+  EventLoop loop;
+  Node node(*context, loop, plain("robot"));
+  auto out = node.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
+  Server<std_srvs::srv::Trigger> server(node, "/do_it", [](const auto&, auto&) {});
+  ASSERT_TRUE(watcher.wait_for([&] { return watcher.user_data.contains("rt/chatter") && watcher.user_data.contains("rr/do_itReply"); }));
+  ASSERT_TRUE(watcher.wait_for([&] { return watcher.user_data.contains("rq/do_itRequest"); }));
+  const auto hash = [](const char* type) { return "typehash=" + std::string(idl::find_type(type)->hash) + ";"; };
+  EXPECT_EQ(watcher.user_data["rt/chatter"], hash("std_msgs/msg/String"));
+  EXPECT_EQ(watcher.user_data["rq/do_itRequest"], hash("std_srvs/srv/Trigger_Request"));
+  EXPECT_EQ(watcher.user_data["rr/do_itReply"], hash("std_srvs/srv/Trigger_Response"));
+  EXPECT_EQ(watcher.user_data["ros_discovery_info"], hash("rmw_dds_common/msg/ParticipantEntitiesInfo"));
+  EXPECT_TRUE(watcher.user_data.contains("rq/robot/get_type_descriptionRequest"));
+  EXPECT_EQ(watcher.participant_name, "/");
+  EXPECT_EQ(watcher.participant_data, std::string("enclave=/;\0", 11));
+}
+
+TEST(Graph, HumbleHasNoTypeHashAndNoTypeDescription) {
+  Watcher watcher(kGraphDomain);
+  auto context = make_context(kGraphDomain, Distro::kHumble);
+  EventLoop loop;
+  Node node(*context, loop, plain("robot"));
+  auto out = node.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
+  ASSERT_TRUE(watcher.wait_for([&] { return watcher.user_data.contains("rt/chatter"); }));
+  EXPECT_EQ(watcher.user_data["rt/chatter"], "");
+  EXPECT_FALSE(watcher.user_data.contains("rq/robot/get_type_descriptionRequest"));
+}
+
+// The last ros_discovery_info that a reader of another participant got.
+struct GraphReader {
+  GraphReader(const std::shared_ptr<detail::Participant>& participant, Distro d) : distro(d) {
+    EndpointOptions options;
+    options.dds_topic = "ros_discovery_info";
+    options.dds_type = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+    options.qos = Qos::latched().keep_last(100);
+    Reader::Callbacks callbacks;
+    callbacks.on_payload = [this](std::vector<std::uint8_t> payload, const SampleInfo& info) {
+      if (info.from_this_participant) return;
+      std::lock_guard lock(mutex);
+      const auto message = detail::decode_graph(payload, distro);
+      ASSERT_TRUE(message);
+      last = *message;
+    };
+    reader = *Reader::create(participant, options, std::move(callbacks));
+  }
+  bool wait_for(const std::function<bool(const detail::GraphMessage&)>& condition) {
+    for (int i = 0; i < 400; ++i) {
+      {
+        std::lock_guard lock(mutex);
+        if (condition(last)) return true;
+      }
+      std::this_thread::sleep_for(10ms);
+    }
+    return false;
+  }
+  Distro distro;
+  std::mutex mutex;
+  detail::GraphMessage last;
+  std::shared_ptr<Reader> reader;
+};
+
+TEST(Graph, NodesAndEndpointsComeAndGo) {
+  for (const Distro distro : {Distro::kJazzy, Distro::kHumble}) {
+    auto tool = make_context(kGraphDomain, distro);
+    GraphReader reader(tool->participant(), distro);
+    auto context = make_context(kGraphDomain, distro);
+    EventLoop loop;
+    NodeOptions options = plain("robot");
+    options.node_namespace = "/kitchen";
+    auto node = std::make_unique<Node>(*context, loop, options);
+    auto out = node->advertise<std_msgs::msg::String>("/chatter", Qos::standard());
+    const Gid gid = out->gid();
+    const auto lists = [&](const detail::GraphMessage& message) {
+      return message.nodes.size() == 1 && message.nodes[0].name == "robot" && message.nodes[0].node_namespace == "/kitchen" &&
+             std::count(message.nodes[0].writers.begin(), message.nodes[0].writers.end(), gid) == 1;
+    };
+    EXPECT_TRUE(reader.wait_for(lists)) << to_string(distro);
+    out.reset();
+    EXPECT_TRUE(reader.wait_for([&](const auto& message) { return !message.nodes.empty() && !lists(message); })) << to_string(distro);
+    node.reset();
+    EXPECT_TRUE(reader.wait_for([](const auto& message) { return message.nodes.empty(); })) << to_string(distro);
+  }
+}
+
+TEST(Graph, HostileGraphMessagesAreRefused) {
+  detail::Graph graph(Gid{});
+  graph.add_node("/", "n");
+  auto bytes = graph.encode(Distro::kJazzy);
+  const auto with = [&](std::size_t at, std::uint32_t value) {
+    auto copy = bytes;
+    std::memcpy(copy.data() + at, &value, 4);
+    return copy;
+  };
+  EXPECT_TRUE(detail::decode_graph(bytes, Distro::kJazzy));
+  EXPECT_FALSE(detail::decode_graph(with(20, 0xffffffff), Distro::kJazzy)) << "four billion nodes";
+  EXPECT_FALSE(detail::decode_graph(with(24, 0x7fffffff), Distro::kJazzy)) << "a namespace of two gigabytes";
+  EXPECT_FALSE(detail::decode_graph(with(40, 0x10000000), Distro::kJazzy)) << "readers without end";
+}
+
+struct Environment {
+  Environment(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
+  ~Environment() { unsetenv(name_); }
+  const char* name_;
+};
+
+TEST(Settings, FromTheEnvironment) {
+  using Range = detail::ParticipantSettings::Range;
+  {
+    Environment domain("ROS_DOMAIN_ID", "42");
+    Environment distro("GOALNET_ROS_DISTRO", "humble");
+    Environment range("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
+    const auto settings = detail::read_settings({});
+    ASSERT_TRUE(settings);
+    EXPECT_EQ(settings->domain_id, 42);
+    EXPECT_EQ(settings->distro, Distro::kHumble);
+    EXPECT_EQ(settings->range, Range::kLocalhost);
+    EXPECT_EQ(detail::read_settings({.domain_id = 7})->domain_id, 7) << "what is given wins";
+  }
+  {
+    Environment range("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET");
+    Environment localhost("ROS_LOCALHOST_ONLY", "1");
+    EXPECT_EQ(detail::read_settings({})->range, Range::kLocalhost) << "the older variable overrides";
+  }
+  EXPECT_EQ(detail::read_settings({})->distro, Distro::kJazzy);
+  const std::pair<const char*, const char*> bad[] = {{"ROS_DOMAIN_ID", "kitchen"}, {"ROS_DOMAIN_ID", "300"},
+                                                     {"GOALNET_ROS_DISTRO", "foxy"}, {"ROS_LOCALHOST_ONLY", "yes"},
+                                                     {"ROS_AUTOMATIC_DISCOVERY_RANGE", "NEAR"}};
+  for (const auto& [name, value] : bad) {
+    Environment variable(name, value);
+    const auto settings = detail::read_settings({});
+    ASSERT_FALSE(settings) << name;
+    EXPECT_THAT(settings.error().message, HasSubstr(name));
+  }
+}
+
+TEST(Settings, LocalhostParticipantsFindEachOther) {
+  Environment range("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
+  auto first = make_context(kGraphDomain);
+  auto second = make_context(kGraphDomain);
+  EventLoop loop;
+  Node a(*first, loop, plain("a"));
+  Node b(*second, loop, plain("b"));
+  auto out = a.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
+  auto in = b.subscribe<std_msgs::msg::String>("/chatter", Qos::standard(), [](const auto&) {});
+  EXPECT_TRUE(out->wait_for_subscribers(1, 3s));
+}
+
+TEST(Settings, ManyTimesUpAndDown) {
+  for (int i = 0; i < 50; ++i) {
+    auto context = make_context(kGraphDomain);
+    EventLoop loop;
+    Node node(*context, loop, plain("robot"));
+    auto out = node.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
+    out->publish({});
+    loop.run_pending();
+  }
+}
+
+}  // namespace
+}  // namespace goalnet::ros
