@@ -191,6 +191,7 @@ void Coordinator::on_action(const ActionReport& report, TimeNs now) {
   task.world_needed = now;
   if (report.outcome == Outcome::kDone) {
     report_.actions.push_back(task.order.action);
+    report_.current_action = Action{};
     publish();
   }
   if (!running) return finish(task.stop_outcome, task.stop_message, now);
