@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "components/core/config_path.h"
+#include "components/goalnet/encoder/bert_encoder.h"
 #include "components/goalnet/lexicon.h"
 #include "components/goalnet/training/settings.h"
 #include "components/goalnet/training/trainer.h"
@@ -31,7 +32,15 @@ Expected<void> train_network_kind(const TrainRequest& request) {
   options.command = request.command;
   options.constants = (folder / "constants.json").string();
   options.checkpoint = request.out.string() + ".checkpoint";
-  if (auto applied = apply_settings(request.settings, options); !applied) return applied;
+  auto settings = request.settings;
+  if (const auto encoder = settings.extract("encoder"); !encoder.empty()) {
+    auto loaded = inference::BertEncoder::load(encoder.mapped());
+    if (!loaded) return tl::unexpected(loaded.error());
+    options.encoder = std::move(*loaded);
+    options.config.encoding = inference::network::SentenceEncoding::kExternal;
+    options.config.external = options.encoder->dimension();
+  }
+  if (auto applied = apply_settings(settings, options); !applied) return applied;
   if (request.fresh) std::filesystem::remove(options.checkpoint);
   const auto report = [&](const EpochReport& epoch) {
     char text[120];

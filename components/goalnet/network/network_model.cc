@@ -1,9 +1,11 @@
 #include "components/goalnet/network/network_model.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "components/goalnet/encoder/bert_encoder.h"
 #include "components/goalnet/network/network_core.h"
 #include "components/goalnet/tokenizer.h"
 
@@ -13,6 +15,7 @@ namespace {
 using namespace network;
 
 constexpr const char* kEncoderKey = "goalnet.encoder";
+const std::string kEncoderVariable = "GOALNET_SENTENCE_ENCODER";
 
 class NetworkModel : public GoalModel {
  public:
@@ -112,9 +115,16 @@ Expected<std::unique_ptr<GoalModel>> make_network_model(const SafeTensors& file,
   auto parts = load_parts(file);
   if (!parts) return tl::unexpected(parts.error());
   const bool external = (*parts)->config.encoding == SentenceEncoding::kExternal;
+  if (const char* folder = std::getenv(kEncoderVariable.c_str());
+      external && encoder == nullptr && folder != nullptr) {
+    auto loaded = BertEncoder::load(folder);
+    if (!loaded) return tl::unexpected(loaded.error());
+    encoder = std::move(*loaded);
+  }
   if (external != (encoder != nullptr)) {
     return fail(Outcome::kInvalidRequest,
-                file.name() + (external ? " needs the sentence encoder it was trained with"
+                file.name() + (external ? " needs the sentence encoder it was trained with: set " +
+                                              kEncoderVariable + " to its folder"
                                         : " has its own sentence encoder; give it no other"));
   }
   if (external) {

@@ -10,7 +10,8 @@
 namespace goalnet::inference {
 
 // Makes the model of a file whose metadata "goalnet.kind" is "network". A model trained with an external
-// sentence encoder needs the same one again as `encoder`; others must not be given one. Errors:
+// sentence encoder needs the same one again: as `encoder`, or in the folder that the environment variable
+// GOALNET_SENTENCE_ENCODER names (bert_encoder.h). Others must not be given one. Errors:
 // kInvalidRequest, one message that names the file.
 Expected<std::unique_ptr<GoalModel>> make_network_model(const SafeTensors& file,
                                                         std::unique_ptr<SentenceEncoder> encoder = nullptr);

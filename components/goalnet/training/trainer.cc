@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <sstream>
@@ -36,6 +37,44 @@ void shuffle(std::vector<std::size_t>& order, std::mt19937_64& random) {
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
 }
 
+// The encoder of a training, remembered sentence by sentence: each is read a thousand times.
+class RememberingEncoder : public SentenceEncoder {
+ public:
+  explicit RememberingEncoder(std::shared_ptr<SentenceEncoder> encoder) : encoder_(std::move(encoder)) {}
+  std::string_view name() const override { return encoder_->name(); }
+  int dimension() const override { return encoder_->dimension(); }
+  Expected<void> encode(std::string_view sentence, std::span<float> out) override {
+    auto [place, fresh] = known_.try_emplace(std::string(sentence));
+    if (fresh) {
+      place->second.resize(out.size());
+      if (auto done = encoder_->encode(sentence, place->second); !done) {
+        known_.erase(place);
+        return done;
+      }
+    }
+    std::copy(place->second.begin(), place->second.end(), out.begin());
+    return {};
+  }
+
+ private:
+  std::shared_ptr<SentenceEncoder> encoder_;
+  std::map<std::string, std::vector<float>> known_;
+};
+
+// What GoalModels own, while all of one training share it.
+class SharedEncoder : public SentenceEncoder {
+ public:
+  explicit SharedEncoder(std::shared_ptr<SentenceEncoder> encoder) : encoder_(std::move(encoder)) {}
+  std::string_view name() const override { return encoder_->name(); }
+  int dimension() const override { return encoder_->dimension(); }
+  Expected<void> encode(std::string_view sentence, std::span<float> out) override {
+    return encoder_->encode(sentence, out);
+  }
+
+ private:
+  std::shared_ptr<SentenceEncoder> encoder_;
+};
+
 class Trainer {
  public:
   Trainer(const TrainOptions& options, const Vocabulary& vocabulary, std::vector<Episode> episodes,
@@ -47,6 +86,7 @@ class Trainer {
         network_(options.config, vocabulary, options.seed),
         adam_(network_.parameters(), {.weight_decay = options.weight_decay}),
         augmentation_(vocabulary, episodes_),
+        encoder_(options.encoder ? std::make_shared<RememberingEncoder>(options.encoder) : nullptr),
         simulator_(options.with_planner ? planner_simulator() : Simulator(sym_sim)) {}
 
   Expected<TrainedNetwork> run(const std::string& identity, const Progress& progress) {
@@ -71,19 +111,35 @@ class Trainer {
       }
       if (progress) progress(*report);
     }
-    auto file = make_model_file(options_.config, vocabulary_, network_.tensors(), {});
+    auto file = model_file();
     if (!file) return tl::unexpected(file.error());
     return TrainedNetwork{std::move(*file), std::move(curve)};
   }
 
  private:
+  Expected<SafeTensorsWriter> model_file() const {
+    auto file = make_model_file(options_.config, vocabulary_, network_.tensors(), {});
+    if (file && encoder_) file->metadata("goalnet.encoder", std::string(encoder_->name()));
+    return file;
+  }
+
   // The present weights in the Eigen network, to walk through episodes quickly.
   Expected<std::unique_ptr<GoalModel>> present_model() const {
-    auto file = make_model_file(options_.config, vocabulary_, network_.tensors(), {});
+    auto file = model_file();
     if (!file) return tl::unexpected(file.error());
     auto parsed = SafeTensors::parse(file->bytes(), "the model in training");
     if (!parsed) return tl::unexpected(parsed.error());
-    return make_network_model(*parsed);
+    return make_network_model(*parsed, encoder_ ? std::make_unique<SharedEncoder>(encoder_) : nullptr);
+  }
+
+  Expected<EncodedEpisode> encode(EpisodeEncoder& encoder, const Episode& episode,
+                                  bool with_grounding) const {
+    auto encoded = encoder.encode(episode, with_grounding);
+    if (!encoded || !encoder_) return encoded;
+    encoded->external.resize(static_cast<std::size_t>(encoder_->dimension()));
+    if (auto done = encoder_->encode(episode.sentence, encoded->external); !done)
+      return tl::unexpected(done.error());
+    return encoded;
   }
 
   Expected<EpochReport> run_epoch(int epoch) {
@@ -106,7 +162,7 @@ class Trainer {
       Episode episode = replace(random) ? augmentation_.replaced(original, random) : original;
       if (model)
         episode = feed_states(episode, with_grounding, *model, simulator_, options_.state_feeding, 4, random);
-      auto example = encoder.encode(episode, with_grounding);
+      auto example = encode(encoder, episode, with_grounding);
       if (!example) return tl::unexpected(example.error());
       encoded.push_back(std::move(*example));
     }
@@ -142,7 +198,7 @@ class Trainer {
     EpisodeEncoder encoder(options_.config, vocabulary_);
     int steps = 0, right = 0;
     for (const Episode& episode : held_out_) {
-      auto example = encoder.encode(episode, true);
+      auto example = encode(encoder, episode, true);
       if (!example) return tl::unexpected(example.error());
       const EncodedEpisode* one[] = {&*example};
       const LossReport loss = network_.loss(one, encoder.names(), 0);
@@ -161,6 +217,7 @@ class Trainer {
   TorchNetwork network_;
   Adam adam_;
   Augmentation augmentation_;
+  std::shared_ptr<SentenceEncoder> encoder_;
   Simulator simulator_;
 };
 
@@ -183,6 +240,12 @@ Expected<TrainedNetwork> train_network(const std::vector<Demonstration>& demonst
   torch::set_num_threads(1);
   if (auto checked = network::parse_network_config(network::to_json(options.config)); !checked)
     return tl::unexpected(checked.error());
+  const bool external = options.config.encoding == network::SentenceEncoding::kExternal;
+  if (external != (options.encoder != nullptr) ||
+      (external && options.encoder->dimension() != options.config.external)) {
+    return fail(Outcome::kInvalidRequest,
+                "the external sentence encoding and the encoder given do not fit together");
+  }
   std::vector<Episode> episodes = make_episodes(demonstrations, things, options);
   if (episodes.empty()) return fail(Outcome::kInvalidRequest, "no demonstration to learn from");
   const auto vocabulary = make_vocabulary(episodes, vectors, options.config.word, options.constants);
