@@ -21,6 +21,10 @@ void Tolerances::allow(int part, int body, double distance) {
   if (!fresh) at->second = std::min(at->second, distance);
 }
 
+void Tolerances::allow_self(int part_a, int part_b, double distance) {
+  allow(std::min(part_a, part_b), -1 - std::max(part_a, part_b), distance);
+}
+
 void Tolerances::allow_all(const PartSet& parts, int body) {
   for (const int part : parts) allow(part, body, kAnyDepth);
 }
@@ -127,6 +131,7 @@ void CollisionChecker::update(const WorldView& world, const std::vector<std::opt
     auto& b = bodies_[static_cast<std::size_t>(body_index_.at(object.name))];
     const Pose* pose = world.object(object.name);
     b.present = pose != nullptr;
+    b.riding = pose != nullptr && over_tray(*pose, world.robot);
     if (pose) b.shape.place(*pose);
   }
   held_ = held;
@@ -140,6 +145,25 @@ void CollisionChecker::update(const WorldView& world, const std::vector<std::opt
     shape = object_shapes_.at(m->name);
     bodies_[static_cast<std::size_t>(body_index_.at(held_[arm]->name))].present = false;
   }
+}
+
+bool CollisionChecker::over_tray(const Pose& object, const std::vector<double>& q) const {
+  if (!model_.tray) return false;
+  const Pose tray = kinematics_.forward(q, kinematics_.link_index(model_.tray->link));
+  const Eigen::Vector3d p = tray.inverse() * object.translation();
+  for (const auto& slot : model_.tray->slots) {
+    const Eigen::Vector3d d = p - slot.position;
+    if (std::abs(d.x()) < slot.size.x() / 2 && std::abs(d.y()) < slot.size.y() / 2 && d.z() > -0.02 &&
+        d.z() < 0.06)
+      return true;
+  }
+  return false;
+}
+
+bool CollisionChecker::rides(const std::string& object) const {
+  const int i = body(object);
+  return i >= 0 && bodies_[static_cast<std::size_t>(i)].present &&
+         bodies_[static_cast<std::size_t>(i)].riding;
 }
 
 void CollisionChecker::pose_joint(const WorldView& world, const std::string& joint, double position) {

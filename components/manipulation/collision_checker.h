@@ -22,6 +22,7 @@ class Tolerances {
  public:
   void allow(int part, int body, double distance);
   void allow_all(const PartSet& parts, int body);  // contact of any depth: the hand and what it grasps
+  void allow_self(int part_a, int part_b, double distance);  // two parts of the robot: what is held and the tray
   double limit(int part, int body, double margin) const;
 
  private:
@@ -49,6 +50,10 @@ class CollisionChecker {
   // thought.
   void pose_joint(const WorldView& world, const std::string& joint, double position);
 
+  // Objects that stand on the robot's tray drive along with it: leave them out while the base moves.
+  void ignore_riding(bool ignore) { ignore_riding_ = ignore; }
+  bool rides(const std::string& object) const;
+
   bool collides(const std::vector<double>& q, const CollisionQuery& query) const;
   // The first pair found, for messages: "left_hand touches Kettle"; empty if there is none.
   std::string explain(const std::vector<double>& q, const CollisionQuery& query) const;
@@ -71,10 +76,12 @@ class CollisionChecker {
     std::string name;
     PlacedShape shape;
     bool present = true;
+    bool riding = false;
   };
   void place_robot(const std::vector<double>& q) const;
   std::string part_name(int part) const;
   void find_self_pairs();
+  bool over_tray(const Pose& object, const std::vector<double>& q) const;
   template <class Visit>
   void visit_contacts(const std::vector<double>& q, const CollisionQuery& query, Visit&& visit) const;
 
@@ -84,6 +91,7 @@ class CollisionChecker {
   std::vector<Body> bodies_;
   std::map<std::string, int> body_index_;
   int floor_ = -1;
+  bool ignore_riding_ = false;
   std::map<std::string, PlacedShape> object_shapes_;  // by model name, for attachments and fit tests
   mutable std::vector<PlacedShape> parts_;
   mutable std::vector<Pose> link_poses_;

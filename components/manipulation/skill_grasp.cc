@@ -23,7 +23,11 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
                 "no empty hand for " + object_ + ", or it cannot be seen; put something down first");
   }
   std::erase_if(reaches, [&](const Reach& r) { return failed_.contains(r.tag); });
-  auto solution = find_stand(bench, reaches, {});
+  StandSearchOptions options;
+  // From the tray: driving would take the object along, and the hand points back.
+  options.backwards = bench.checker().rides(object_);
+  options.may_drive = !options.backwards;
+  auto solution = find_stand(bench, reaches, options);
   if (!solution) return fail(solution.error().outcome, "grasp " + object_ + ": " + solution.error().message);
   const Reach reach = reaches[solution->reach];
   // A way that fails is not tried again; it is forgotten when it works, as the skill ends then.
@@ -88,9 +92,21 @@ Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
   }
   wishes.push_back(front_reaches(bench, place));
   Expected<ReachSolution> solution = fail(Outcome::kMotionFailed, "nothing to go to");
+  StandSearchOptions options;
+  if (pose != nullptr) {
+    if (bench.checker().rides(object_)) return Phases{};
+    // To be near means to have it before oneself, not just in reach from the side.
+    options.accept = [&bench, at = pose->translation()](const Configuration& q, const Reach&, const auto&) {
+      const Stand stand = bench.stand_of(q);
+      const double dx = at.x() - stand.x, dy = at.y() - stand.y;
+      return std::hypot(dx, dy) < 0.95 &&
+             std::abs(std::remainder(std::atan2(dy, dx) - stand.yaw, 2 * M_PI)) < 0.7;
+    };
+  }
   for (const auto& wish : wishes) {
     if (wish.empty()) continue;
-    solution = find_stand(bench, wish, {});
+    solution = find_stand(bench, wish, options);
+    options.accept = nullptr;  // the second wish stands before the furniture, not before the thing
     if (solution || solution.error().outcome == Outcome::kCancelled) break;
   }
   if (!solution) return fail(solution.error().outcome, "moveto " + object_ + ": " + solution.error().message);

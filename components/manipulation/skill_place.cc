@@ -80,6 +80,10 @@ std::vector<PlaceWay> ways(Workbench& bench, std::size_t arm, const std::vector<
       way.reach.tolerances.allow(bench.checker().attachment(arm), bench.checker().body(origin[i]->fixture),
                                  -0.001);
     }
+    if (origin.empty() && bench.model().tray) {
+      const int tray = bench.kinematics().link_index(bench.model().tray->link);
+      way.reach.tolerances.allow_self(tray, bench.checker().attachment(arm), -0.001);
+    }
     out.push_back(std::move(way));
   }
   return out;
@@ -104,6 +108,7 @@ Expected<Phases> PlaceSkill::attempt(Workbench& bench, int) {
   for (const auto& way : all) reaches.push_back(way.reach);
   StandSearchOptions options;
   options.may_drive = where_ != Where::kTray;
+  options.backwards = where_ == Where::kTray;
   auto solution = find_stand(bench, reaches, options);
   if (!solution)
     return fail(solution.error().outcome, "put down " + object_ + ": " + solution.error().message);

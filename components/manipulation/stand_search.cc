@@ -111,6 +111,7 @@ class Search {
 
   std::optional<ReachSolution> try_stand(const Candidate& candidate) {
     const Configuration q = posture_at(bench_, candidate.stand, candidate.drives);
+    bench_.checker().ignore_riding(candidate.drives);
     if (candidate.drives) {
       const CollisionQuery trunk{&bench_.checker().trunk_parts(), kGap, nullptr, false};
       if (bench_.checker().collides(q, trunk)) return std::nullopt;
@@ -134,7 +135,8 @@ class Search {
     const Pose base = bench_.arm_base_pose(q, reach.arm);
     const Pose first = base.inverse() * reach.tool.front();
     // Quick no: too far, or reaching back towards oneself.
-    if (first.translation().norm() > 1.15 || first.linear()(0, 2) < -0.35) return std::nullopt;
+    if (first.translation().norm() > 1.15) return std::nullopt;
+    if (!options_.backwards && first.linear()(0, 2) < -0.35) return std::nullopt;
     ++looked_at;
     ++tries_;
     // Long ways (the arc of a door) mostly fail at their far end: ask for that first, it is cheap.
@@ -187,7 +189,9 @@ Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& r
   Search search(bench, reaches, options);
   for (const auto& candidate : candidates(bench, reaches, options.may_drive)) {
     if (bench.stopped()) return fail(Outcome::kCancelled, "cancelled while looking for a place to stand");
-    if (auto solution = search.try_stand(candidate)) return std::move(*solution);
+    auto solution = search.try_stand(candidate);
+    bench.checker().ignore_riding(false);
+    if (solution) return std::move(*solution);
   }
   return fail(Outcome::kMotionFailed,
               "no place to stand from which a hand reaches it without touching something");

@@ -141,7 +141,22 @@ Expected<JointTrajectory> Workbench::move_straight(std::size_t arm, const std::v
   return time_path(limits, path);
 }
 
+namespace {
+
+// While the base moves, what stands on its tray moves along.
+class WithoutRiding {
+ public:
+  explicit WithoutRiding(CollisionChecker& checker) : checker_(checker) { checker_.ignore_riding(true); }
+  ~WithoutRiding() { checker_.ignore_riding(false); }
+
+ private:
+  CollisionChecker& checker_;
+};
+
+}  // namespace
+
 Expected<JointTrajectory> Workbench::drive(const Stand& goal) {
+  const WithoutRiding scope(checker_);
   std::vector<int> joints{base_x_, base_y_, base_yaw_};
   if (lift_ >= 0) joints.push_back(lift_);
   const Stand here = stand_of(now_);

@@ -54,6 +54,7 @@ Expected<std::unique_ptr<PhysicsHarness>> PhysicsHarness::create(const std::stri
   if (!bench) return tl::unexpected<Error>(bench.error());
   out->bench_ = std::move(*bench);
   out->runner_ = std::make_unique<ActionRunner>(*out->bench_);
+  out->world_model_ = std::make_unique<world_model::WorldModel>(out->world_->scene(), out->world_->robot());
   out->steps_per_tick_ = std::max(1, static_cast<int>(std::lround(0.01 / options.physics_step)));
   out->wait(0.5);  // things settle on what they stand on
   return out;
@@ -77,6 +78,32 @@ void PhysicsHarness::tick() {
     }
     world_->step();
   }
+  if (time_ns_ / kMillisecond % 50 == 0) observe_facts();
+}
+
+void PhysicsHarness::observe_facts() {
+  world_model::ObservedPoses poses{time_ns_, {}};
+  const auto& objects = world_->scene().objects;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    poses.objects.push_back({objects[i].name, world_->object_pose(i)});
+  world_model::ObservedJoints joints{time_ns_, {}, {}};
+  for (std::size_t j = 0; j < world_->robot_joint_count(); ++j) {
+    joints.names.push_back(world_->robot().joints[j].name);
+    joints.positions.push_back(world_->robot_joint(j).position);
+  }
+  for (std::size_t j = 0; j < world_->fixture_joint_count(); ++j) {
+    joints.names.push_back(world_->fixture_joint_name(j));
+    joints.positions.push_back(world_->fixture_joint(j).position);
+  }
+  std::vector<world_model::ObservedState> states;
+  for (const auto& fact : world_->facts()) {
+    if (states.empty() || states.back().name != fact.subject) states.push_back({fact.subject, {}});
+    states.back().values.push_back(fact.object);
+  }
+  world_model_->observe(joints);
+  world_model_->observe(states);
+  world_model_->observe(poses);
+  world_model_->update();
 }
 
 void PhysicsHarness::wait(double seconds) {
@@ -93,7 +120,7 @@ WorldView PhysicsHarness::view() const {
   }
   const auto& objects = world_->scene().objects;
   for (std::size_t i = 0; i < objects.size(); ++i) view.objects[objects[i].name] = world_->object_pose(i);
-  view.facts = world_->facts();
+  view.facts = facts();
   return view;
 }
 

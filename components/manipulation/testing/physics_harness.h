@@ -9,6 +9,7 @@
 
 #include "components/manipulation/action_runner.h"
 #include "components/manipulation/workbench.h"
+#include "components/world_model/world_model.h"
 #include "executor/trajectory_executor.h"
 #include "sim/world.h"
 
@@ -40,16 +41,20 @@ class PhysicsHarness {
   sim::World& world() { return *world_; }
   Workbench& bench() { return *bench_; }
   WorldView view() const;
+  // What the world model makes of it, 20 times a second.
+  const FactSet& facts() const { return world_model_->world().facts; }
   executor::ExecutorStatus executor_status() { return executor_->status(); }
 
  private:
   PhysicsHarness() = default;
   void tick();  // 10 ms
+  void observe_facts();
 
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<executor::TrajectoryExecutor> executor_;
   std::unique_ptr<Workbench> bench_;
   std::unique_ptr<ActionRunner> runner_;
+  std::unique_ptr<world_model::WorldModel> world_model_;
   std::int64_t time_ns_ = 0;
   int steps_per_tick_ = 5;
 };

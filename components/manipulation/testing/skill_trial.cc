@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
     (*harness)->cancel_when = [&](double time) {
       std::set<std::string> now;
       for (const auto& contact : (*harness)->world().contacts()) {
-        if (contact.a.starts_with("robot/") || contact.b.starts_with("robot/")) now.insert(contact.a + " - " + contact.b);
+        if (contact.a.starts_with("robot/") || contact.b.starts_with("robot/"))
+          now.insert(contact.a + " - " + contact.b);
       }
       for (const auto& pair : now) {
         if (!touching.contains(pair)) std::printf("      %7.2f s into it: %s\n", time, pair.c_str());
@@ -57,6 +58,8 @@ int main(int argc, char** argv) {
       return false;
     };
   }
+  (*harness)->wait(0.1);
+  FactSet before = (*harness)->facts();
   for (const auto& action : actions) {
     std::printf("%s\n", to_string(action).c_str());
     const auto result = (*harness)->run(action);
@@ -64,9 +67,12 @@ int main(int argc, char** argv) {
                 std::string(to_string(result.result.outcome)).c_str(), result.sim_time,
                 result.planning_time * 1e3, result.attempts, result.result.message.empty() ? "" : ": ",
                 result.result.message.c_str());
+    (*harness)->wait(0.3);
+    const FactSet after = (*harness)->facts();
+    for (const auto& fact : difference(after, before)) std::printf("     + %s\n", to_string(fact).c_str());
+    for (const auto& fact : difference(before, after)) std::printf("     - %s\n", to_string(fact).c_str());
+    before = after;
     if (result.result.outcome != Outcome::kDone) return static_cast<int>(result.result.outcome);
   }
-  for (const auto& fact : (*harness)->world().facts()) std::printf("%s ", to_string(fact).c_str());
-  std::printf("\n");
   return 0;
 }
