@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMinConditioning =
     0.04;                      // smallest singular value at the first pose: keep away from singularities
-constexpr double kGap = 0.09;  // [m] wanted between the robot's trunk and furniture; less if need be
+constexpr double kGap = 0.05;  // [m] wanted between the robot's trunk and furniture; less if need be
 
 struct Candidate {
   Stand stand;
@@ -71,7 +71,7 @@ std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reac
       const double yaw = here.yaw + wrap(turn * std::numbers::pi / 12 - here.yaw);
       const Eigen::Rotation2Dd rotation(yaw);
       for (const double ahead : {0.62, 0.70, 0.54, 0.78, 0.86, 0.47}) {
-        for (const double across : {0.2, 0.02, 0.4, -0.15, 0.6}) {
+        for (const double across : {0.2, 0.05, 0.35, -0.1, 0.5, -0.25, 0.65}) {
           const double y = target.side > 0 ? across : -across;
           const Eigen::Vector2d at = target.point.head<2>() - rotation * Eigen::Vector2d(ahead, y);
           const auto& scene = bench.scene();
@@ -155,7 +155,7 @@ class Search {
     ArmPositions last{};
     for (const auto& start : arm.solve(first, seed, 16, 0.05)) {
       if (tried > 0 && robot::largest_step(start, last) < 0.2) continue;
-      if (tried >= 6) break;
+      if (tried >= 10) break;
       if (bench_.checker().collides(bench_.with_arm(q, reach.arm, start), query)) {
         last = start;
         ++tried;
