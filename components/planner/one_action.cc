@@ -207,6 +207,13 @@ bool OneAction::formula_holds(const CompiledSchema& schema, const Formula& formu
 bool OneAction::happens(const CompiledSchema& schema, const CompiledEffect& effect, const GoalLiteral& literal) {
   std::array<ObjectId, 16> arguments{};
   for (std::size_t i = 0; i < literal.atom->arguments.size(); ++i) arguments[i] = literal.atom->arguments[i].value;
+  // The search may be in the middle of binding the variables of this same effect.
+  std::vector<ObjectId>& outer = outer_;
+  outer.clear();
+  for (const std::int32_t slot : effect.variables) {
+    outer.push_back(binding_[static_cast<std::size_t>(slot)]);
+    binding_[static_cast<std::size_t>(slot)] = -1;
+  }
   bool result = false;
   if (unify(schema, effect.literal.atom, arguments.data())) {
     const auto each = [&](const auto& self, std::size_t i) -> bool {
@@ -223,15 +230,14 @@ bool OneAction::happens(const CompiledSchema& schema, const CompiledEffect& effe
     };
     result = each(each, 0);
   }
-  for (const std::int32_t slot : effect.variables) binding_[static_cast<std::size_t>(slot)] = -1;
+  for (std::size_t i = effect.variables.size(); i-- > 0;) {
+    binding_[static_cast<std::size_t>(effect.variables[i])] = outer[i];
+  }
   return result;
 }
 
 bool OneAction::accept(const CompiledSchema& schema) {
   if (index_->cost(schema.cost, binding_.data()) < 0) return false;
-  for (std::int32_t slot = schema.parameter_count; slot < static_cast<std::int32_t>(schema.slots.size()); ++slot) {
-    binding_[static_cast<std::size_t>(slot)] = -1;
-  }
   for (const GoalLiteral& literal : *goal_) {
     bool added = false, deleted = false;
     for (const CompiledEffect& effect : schema.effects) {

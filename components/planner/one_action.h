@@ -43,7 +43,7 @@ class OneAction {
   const CompiledDomain& compiled_;
   ProblemIndex* index_ = nullptr;
   const std::vector<GoalLiteral>* goal_ = nullptr;
-  std::vector<ObjectId> binding_;
+  std::vector<ObjectId> binding_, outer_;
 };
 
 }  // namespace goalnet::planner

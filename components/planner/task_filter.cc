@@ -137,6 +137,11 @@ std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relax
     }
     keep_action_[a] = 1;
     for (std::uint32_t e = action.effect_begin; e < action.effect_end; ++e) {
+      // Conditions of effects that only destroy are not propositions of the relaxation; they stay.
+      if (from.needed[static_cast<std::size_t>(from.effects[e].literal)] == 0) {
+        keep_effect_[e] = 1;
+        continue;
+      }
       const std::int64_t to_condition = reach(from.conditions_of(from.effects[e]));
       keep_effect_[e] = to_condition < LmCut::kDeadEnd && estimate + to_condition + own < bound ? 1 : 0;
     }
