@@ -65,9 +65,6 @@ struct Scene {
 // is a path. Errors: kInvalidRequest with "file:line: what is wrong; what to do".
 Expected<Scene> load_scene(const std::string& name_or_path);
 
-// Finds a file below the configuration folder: config_path("scenes/kitchen.yaml").
-Expected<std::string> config_path(const std::string& relative);
-
 // Poses of all objects (in the order of Scene::objects) for a seed: nominal poses plus jitter. The same seed
 // gives the same bits on every machine. Seed 0 is the nominal scene.
 std::vector<Pose> initial_poses(const Scene& scene, std::uint64_t seed);

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 
+#include "components/core/config_path.h"
 #include "components/scene/load_parts.h"
 #include "components/scene/scene.h"
 
@@ -10,12 +10,6 @@ namespace goalnet::scene {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-std::string configuration_folder() {
-  if (const char* folder = std::getenv("GOALNET_CONFIG_DIR")) return folder;
-  if (std::filesystem::is_directory("config/scenes")) return "config";
-  return GOALNET_CONFIG_FOLDER;
-}
 
 void read_libraries(YamlReader& root, const std::filesystem::path& folder, Scene& scene) {
   for (const auto& library : root.texts("libraries")) {
@@ -131,25 +125,15 @@ Scene read_scene(YamlReader& root, const std::string& path) {
 
 }  // namespace
 
-Expected<std::string> config_path(const std::string& relative) {
-  const std::string path = configuration_folder() + "/" + relative;
-  if (!std::filesystem::exists(path)) {
-    return fail(Outcome::kInvalidRequest,
-                path + ": does not exist; check the name or set GOALNET_CONFIG_DIR");
-  }
-  return path;
-}
-
 Expected<Scene> load_scene(const std::string& name_or_path) {
   std::string path = name_or_path;
   if (name_or_path.find('/') == std::string::npos && !name_or_path.ends_with(".yaml")) {
-    auto found = config_path("scenes/" + name_or_path + ".yaml");
-    if (!found) {
+    path = config_path("scenes/" + name_or_path + ".yaml");
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) {
       std::string known;
       std::vector<std::string> names;
-      std::error_code ignored;
-      for (const auto& entry :
-           std::filesystem::directory_iterator(configuration_folder() + "/scenes", ignored)) {
+      for (const auto& entry : std::filesystem::directory_iterator(config_path("scenes"), ignored)) {
         if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
       }
       std::sort(names.begin(), names.end());
@@ -157,7 +141,6 @@ Expected<Scene> load_scene(const std::string& name_or_path) {
       return fail(Outcome::kInvalidRequest, "unknown scene '" + name_or_path + "'; known: " + known +
                                                 ", or give a path to a .yaml file");
     }
-    path = *found;
   }
   auto node = read_yaml_file(path);
   if (!node) return tl::unexpected(node.error());
