@@ -148,6 +148,15 @@ std::vector<std::uint8_t> CdrLayout::data_mask(std::span<const std::uint8_t> pay
 bool is_utf8(std::span<const std::uint8_t> text) {
   std::size_t i = 0;
   while (i < text.size()) {
+    // Most text is ASCII: eight bytes at a time.
+    std::uint64_t eight = 0;
+    if (text.size() - i >= 8) {
+      std::memcpy(&eight, text.data() + i, 8);
+      if ((eight & 0x8080808080808080ull) == 0) {
+        i += 8;
+        continue;
+      }
+    }
     const std::uint8_t lead = text[i];
     if (lead < 0x80) {
       ++i;

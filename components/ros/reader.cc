@@ -29,6 +29,7 @@ struct Reader::Impl : dds::DataReaderListener {
   EndpointOptions options;
   Callbacks callbacks;
   const idl::CdrLayout* layout = nullptr;
+  std::shared_ptr<void> spare;  // a message that nothing was decoded into: most looks find nothing
   dds::DataReader* reader = nullptr;
   Gid gid{};
   detail::Matches matches;
@@ -48,13 +49,16 @@ bool Reader::Impl::take_one(dds::DataReader* source) {
   detail::Incoming in;
   std::shared_ptr<void> message;
   if (options.support != nullptr) {
-    message = std::shared_ptr<void>(options.support->create(), options.support->destroy);
+    message = spare ? std::move(spare) : std::shared_ptr<void>(options.support->create(), options.support->destroy);
     in.support = options.support;
     in.layout = layout;
     in.message = message.get();
   }
   dds::SampleInfo sample;
-  if (source->take_next_sample(&in, &sample) != ReturnCode_t::RETCODE_OK) return false;
+  if (source->take_next_sample(&in, &sample) != ReturnCode_t::RETCODE_OK) {
+    spare = std::move(message);
+    return false;
+  }
   if (!sample.valid_data) return true;  // a writer left
   if (in.fault != nullptr) {
     if (callbacks.on_dropped) callbacks.on_dropped(in.fault);

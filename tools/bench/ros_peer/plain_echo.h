@@ -1,0 +1,24 @@
+// Fast DDS as a program without components/ros would use it: what the ROS 2 layer is measured against.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace goalnet::tools {
+
+// Reads std_msgs/String on one topic and writes it on another; reliable, keep last 10, data sharing off.
+class PlainEndpoint {
+ public:
+  PlainEndpoint(int domain, const std::string& read, const std::string& write,
+                std::function<void(const std::string&)> on_message);
+  ~PlainEndpoint();
+  void write(const std::string& text);
+  bool matched() const;  // both ways
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace goalnet::tools
