@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "components/goalnet/ranker/boosted_trees.h"
 #include "components/goalnet/ranker/log_linear.h"
 #include "components/goalnet/ranker/neighbours.h"
 #include "components/goalnet/ranker/policy.h"
@@ -27,6 +28,7 @@ struct Ranker {
   Places places;
   LogLinear policy{kFeatureBuckets};
   Neighbours neighbours;
+  BoostedTrees reranker;  // empty: runs are chosen by expected agreement alone
 };
 
 // Trains on the examples, seen with or without their grounding. Deterministic.

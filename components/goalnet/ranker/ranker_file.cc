@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/goalnet/ranker/ranker_model.h"
+#include "components/goalnet/ranker/reranker.h"
 
 namespace goalnet::inference {
 namespace {
@@ -62,6 +63,14 @@ class NameList {
 Expected<void> write_one(SafeTensorsWriter& writer, const std::string& prefix, const Ranker& ranker, NameList& names,
                          const Symbols& symbols) {
   if (auto ok = writer.add(prefix + ".policy", {kFeatureBuckets}, ranker.policy.weights()); !ok) return ok;
+  if (!ranker.reranker.empty()) {
+    std::vector<float> nodes, roots(ranker.reranker.roots().begin(), ranker.reranker.roots().end());
+    for (const BoostedTrees::Node& node : ranker.reranker.nodes())
+      for (const float value : {static_cast<float>(node.feature), node.threshold, static_cast<float>(node.left), static_cast<float>(node.right)})
+        nodes.push_back(value);
+    if (auto ok = writer.add(prefix + ".trees.nodes", {nodes.size() / 4, 4}, nodes); !ok) return ok;
+    if (auto ok = writer.add(prefix + ".trees.roots", {roots.size()}, roots); !ok) return ok;
+  }
   std::vector<float> terms, mentions, steps, counts;
   for (const Memory& memory : ranker.neighbours.memories()) {
     for (const auto& [hash, amount] : memory.terms) put_hash(terms, hash), terms.push_back(amount);
@@ -154,6 +163,24 @@ Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix, co
   }
   if (!term_rows.at_end() || !mention_rows.at_end() || !step_rows.at_end()) return bad();
   ranker.neighbours = Neighbours(std::move(memories));
+  if (!file.contains(prefix + ".trees.nodes")) return ranker;
+  const std::uint64_t node_shape[] = {0, 4}, root_shape[] = {0};
+  const auto nodes = file.floats(prefix + ".trees.nodes", node_shape), roots = file.floats(prefix + ".trees.roots", root_shape);
+  for (const auto* tensor : {&nodes, &roots})
+    if (!*tensor) return tl::unexpected(tensor->error());
+  constexpr float kMost = 1 << 24;  // whole numbers up to here are exact in a float
+  std::vector<BoostedTrees::Node> tree_nodes;
+  Rows node_rows(*nodes, 4);
+  while (const float* row = node_rows.next()) {
+    if (!is_count(row[0] + 1, kMost) || !is_count(row[2], kMost) || !is_count(row[3], kMost)) return bad();
+    tree_nodes.push_back({static_cast<std::int32_t>(row[0]), row[1], static_cast<std::int32_t>(row[2]), static_cast<std::int32_t>(row[3])});
+  }
+  std::vector<std::int32_t> tree_roots;
+  for (const float value : roots->values) {
+    if (!is_count(value, kMost)) return bad();
+    tree_roots.push_back(static_cast<std::int32_t>(value));
+  }
+  if (!ranker.reranker.assign(std::move(tree_nodes), std::move(tree_roots), kRunFeatures)) return bad();
   return ranker;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "components/goalnet/ranker/reranker.h"
 #include "components/goalnet/tokenizer.h"
 
 namespace goalnet::inference {
@@ -108,16 +109,18 @@ RankerModel::Decoded RankerModel::decode_benchmark(const Instruction& instructio
                                                    std::uint64_t seed) {
   const Ranker& ranker = instruction.grounding_given ? parts_.given : parts_.none;
   const auto pool = propose(ranker, *parts_.lexicon, instruction, start, seed);
-  const auto agreements = expected_agreement(pool);
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < pool.size(); ++i)
-    if (agreements[i].mean() > agreements[best].mean()) best = i;
+  const FrameReader reader(*parts_.lexicon, *parts_.language, parts_.symbols);
+  const Understanding understanding = reader.read(instruction, start);
+  const auto features =
+      run_features(pool, instruction, start, play(start, understanding.macros), understanding.complete);
+  const std::size_t best = choose_run(ranker.reranker, pool, features);
+  const double confidence = std::clamp(static_cast<double>(features[best][4]), 0.0, 1.0);  // expected agreement
   Decoded decoded;
   SymState now = start;
   for (const SymAction& action : pool[best].actions) {
     SymState after = now;
     apply(action, after);
-    decoded.steps.push_back(to_goal(delta(now, after), parts_.symbols, agreements[best].sji));
+    decoded.steps.push_back(to_goal(delta(now, after), parts_.symbols, confidence));
     now = after;
   }
   return decoded;

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "components/goalnet/ranker/reranker.h"
 #include "components/goalnet/tokenizer.h"
 
 namespace goalnet::inference {
@@ -37,20 +38,33 @@ Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations, co
   const std::vector<Example> examples = make_examples(demonstrations, *parts->lexicon, parts->symbols);
   std::vector<const Example*> all;
   for (const Example& example : examples) all.push_back(&example);
-  int part = 0;
+  const FrameReader frames(*parts->lexicon, *parts->language, parts->symbols);
+  const Reader reader = [&](const Instruction& instruction, const SymState& start) {
+    const Understanding understanding = frames.read(instruction, start);
+    return std::pair{play(start, understanding.macros), understanding.complete};
+  };
+  // For each setting one ranker on everything and five on four fifths (the re-ranker's): six equal parts.
+  double base = 0;
   bool stopped = false;
   for (const bool grounding : {true, false}) {
-    const auto progress = [&](int epoch, double loss) {
-      const double done = (part + (epoch + 1.0) / options.ranker.training.epochs) / 2;
-      const std::string what = std::string(grounding ? "grounding given" : "grounding none") + ", epoch " +
-                               std::to_string(epoch + 1) + ", loss " + std::to_string(loss).substr(0, 6);
-      if (options.progress && !options.progress(what, done)) stopped = true;
+    const std::string setting = grounding ? "grounding given" : "grounding none";
+    const auto tell = [&](const std::string& what, double part) {
+      if (options.progress && !options.progress(setting + ", " + what, base + part / 2)) stopped = true;
       return !stopped;
     };
-    (grounding ? parts->given : parts->none) = train_ranker(all, *parts->lexicon, grounding, options.ranker, progress);
+    Ranker& ranker = grounding ? parts->given : parts->none;
+    ranker = train_ranker(all, *parts->lexicon, grounding, options.ranker, [&](int epoch, double loss) {
+      return tell("ranker: epoch " + std::to_string(epoch + 1) + ", loss " + std::to_string(loss).substr(0, 6),
+                  (epoch + 1.0) / options.ranker.training.epochs / 6);
+    });
+    if (options.rerank && !stopped)
+      ranker.reranker = train_reranker(all, *parts->lexicon, grounding, options.ranker, reader, [&](double part) {
+        return tell("re-ranker: candidate runs for unseen scenarios", 1.0 / 6 + part * 5 / 6);
+      });
     if (stopped) return fail(Outcome::kCancelled, "training was stopped");
-    ++part;
+    base = 0.5;
   }
+  if (options.progress) options.progress("done", 1);
   return parts;
 }
 

@@ -1,0 +1,150 @@
+#include "components/goalnet/ranker/boosted_trees.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "components/goalnet/random.h"
+
+namespace goalnet::inference {
+namespace {
+
+constexpr std::size_t kBins = 32;
+
+// Each feature cut into at most kBins bins of about equally many rows.
+struct Binned {
+  std::vector<std::uint8_t> bins;              // column-major
+  std::vector<std::vector<float>> thresholds;  // bin b holds values < thresholds[b]; the last bin the rest
+};
+
+Binned make_bins(std::span<const float> rows, std::size_t columns, std::size_t count) {
+  Binned binned;
+  binned.bins.resize(columns * count);
+  binned.thresholds.resize(columns);
+  std::vector<float> values(count);
+  for (std::size_t c = 0; c < columns; ++c) {
+    for (std::size_t r = 0; r < count; ++r) values[r] = rows[r * columns + c];
+    std::sort(values.begin(), values.end());
+    auto& cuts = binned.thresholds[c];
+    for (std::size_t b = 1; b < kBins; ++b) {
+      const float cut = values[b * count / kBins];
+      if ((cuts.empty() || cut > cuts.back()) && cut > values.front()) cuts.push_back(cut);
+    }
+    for (std::size_t r = 0; r < count; ++r)
+      binned.bins[c * count + r] = static_cast<std::uint8_t>(
+          std::upper_bound(cuts.begin(), cuts.end(), rows[r * columns + c]) - cuts.begin());
+  }
+  return binned;
+}
+
+struct Split {
+  float gain = 1e-6f;
+  std::size_t column = 0, bin = 0;
+};
+
+}  // namespace
+
+BoostedTrees BoostedTrees::train(std::span<const float> rows, std::size_t columns, std::span<const float> targets,
+                                 const BoostOptions& options) {
+  BoostedTrees model;
+  const std::size_t count = targets.size();
+  if (count == 0) return model;
+  const Binned binned = make_bins(rows, columns, count);
+  std::vector<float> residual(targets.begin(), targets.end());
+  Random random(options.seed);
+
+  struct Open {
+    std::vector<std::uint32_t> rows;
+    std::int32_t node;
+    int depth;
+  };
+  for (int t = 0; t < options.trees; ++t) {
+    Open root{{}, static_cast<std::int32_t>(model.nodes_.size()), 0};
+    for (std::uint32_t r = 0; r < count; ++r)
+      if (random.uniform() < options.row_share) root.rows.push_back(r);
+    model.roots_.push_back(root.node);
+    model.nodes_.emplace_back();
+    std::vector<Open> open;
+    open.push_back(std::move(root));
+    while (!open.empty()) {
+      Open at = std::move(open.back());
+      open.pop_back();
+      float sum = 0;
+      for (const std::uint32_t r : at.rows) sum += residual[r];
+      const float n = static_cast<float>(at.rows.size());
+      Split best;
+      if (at.depth < options.depth && at.rows.size() >= 2 * options.min_rows) {
+        for (std::size_t c = 0; c < columns; ++c) {
+          std::array<float, kBins> sums{}, counts{};
+          const std::uint8_t* bins = binned.bins.data() + c * count;
+          for (const std::uint32_t r : at.rows) sums[bins[r]] += residual[r], counts[bins[r]] += 1;
+          float left = 0, left_n = 0;
+          for (std::size_t b = 0; b < binned.thresholds[c].size(); ++b) {
+            left += sums[b], left_n += counts[b];
+            const float right = sum - left, right_n = n - left_n;
+            const auto least = static_cast<float>(options.min_rows);
+            if (left_n < least || right_n < least) continue;
+            const float gain = left * left / (left_n + options.ridge) + right * right / (right_n + options.ridge) -
+                               sum * sum / (n + options.ridge);
+            if (gain > best.gain) best = {gain, c, b};
+          }
+        }
+      }
+      Node& node = model.nodes_[static_cast<std::size_t>(at.node)];
+      if (best.gain <= 1e-6f) {
+        node.threshold = options.rate * sum / (n + options.ridge);
+        continue;
+      }
+      node.feature = static_cast<std::int32_t>(best.column);
+      node.threshold = binned.thresholds[best.column][best.bin];
+      node.left = static_cast<std::int32_t>(model.nodes_.size());
+      node.right = node.left + 1;
+      Open left{{}, node.left, at.depth + 1}, right{{}, node.right, at.depth + 1};
+      for (const std::uint32_t r : at.rows)
+        (binned.bins[best.column * count + r] <= best.bin ? left : right).rows.push_back(r);
+      model.nodes_.resize(model.nodes_.size() + 2);
+      open.push_back(std::move(left));
+      open.push_back(std::move(right));
+    }
+    const std::int32_t first = model.roots_.back();
+    for (std::size_t r = 0; r < count; ++r) {
+      std::int32_t i = first;
+      while (model.nodes_[static_cast<std::size_t>(i)].feature >= 0) {
+        const Node& node = model.nodes_[static_cast<std::size_t>(i)];
+        i = rows[r * columns + static_cast<std::size_t>(node.feature)] < node.threshold ? node.left : node.right;
+      }
+      residual[r] -= model.nodes_[static_cast<std::size_t>(i)].threshold;
+    }
+  }
+  return model;
+}
+
+float BoostedTrees::predict(std::span<const float> row) const {
+  float sum = 0;
+  for (std::int32_t i : roots_) {
+    while (nodes_[static_cast<std::size_t>(i)].feature >= 0) {
+      const Node& node = nodes_[static_cast<std::size_t>(i)];
+      i = row[static_cast<std::size_t>(node.feature)] < node.threshold ? node.left : node.right;
+    }
+    sum += nodes_[static_cast<std::size_t>(i)].threshold;
+  }
+  return sum;
+}
+
+bool BoostedTrees::assign(std::vector<Node> nodes, std::vector<std::int32_t> roots, std::size_t columns) {
+  const auto size = static_cast<std::int32_t>(nodes.size());
+  for (std::int32_t i = 0; i < size; ++i) {
+    const Node& node = nodes[static_cast<std::size_t>(i)];
+    if (node.feature < 0) continue;
+    if (node.feature >= static_cast<std::int32_t>(columns) || node.left <= i || node.right <= i || node.left >= size ||
+        node.right >= size)
+      return false;
+  }
+  for (const std::int32_t root : roots)
+    if (root < 0 || root >= size) return false;
+  nodes_ = std::move(nodes);
+  roots_ = std::move(roots);
+  return true;
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,102 @@
+#include "tools/goalnet/eval_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "components/core/config_path.h"
+#include "components/goalnet/evaluation.h"
+
+namespace goalnet::tools {
+namespace {
+
+using namespace goalnet::inference;
+
+int report(const Error& error) {
+  std::fprintf(stderr, "goalnet eval: %s\n", error.message.c_str());
+  return static_cast<int>(error.outcome);
+}
+
+nlohmann::json to_json(const Scores& scores) {
+  return {{"sji", scores.sji},
+          {"ied", scores.ied},
+          {"f1", scores.f1},
+          {"grr", scores.grr},
+          {"grr_formula", scores.grr_formula},
+          {"exact", scores.exact},
+          {"ied_canonical", scores.ied_canonical}};
+}
+
+}  // namespace
+
+int eval_command(int argc, char** argv) {
+  CLI::App app("Scores a goal model on a folder of demonstrations.", "goalnet eval");
+  std::string folder, model = config_path("models/goalnet.safetensors"), grounding = "given", runs;
+  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  bool json = false, physics = false, perturbed = false;
+  app.add_option("DIR", folder, "folder of demonstrations (*.json)")->required();
+  app.add_option("--model", model, "model file")->capture_default_str();
+  app.add_option("--grounding", grounding, "given: pass the demonstrations' grounding; none: sentence and state only")
+      ->check(CLI::IsMember({"given", "none"}))
+      ->capture_default_str();
+  app.add_option("--runs", runs, "write every run to this file, one JSON object a line (for score.py)");
+  app.add_option("--threads", threads, "worker threads")->check(CLI::Range(1u, 256u))->capture_default_str();
+  app.add_flag("--include-perturbed", perturbed, "score the randomly perturbed a_* files too");
+  app.add_flag("--physics", physics, "score in the physical simulation (not offered by this program yet)");
+  app.add_flag("--json", json, "print one JSON object");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
+  }
+  if (physics)
+    return report({Outcome::kInvalidRequest, "--physics is not available; use goalnet run for single instructions"});
+
+  auto demonstrations = read_demonstrations(folder);
+  if (!demonstrations) return report(demonstrations.error());
+  if (!perturbed) std::erase_if(*demonstrations, [](const Demonstration& d) { return d.perturbed; });
+  if (demonstrations->empty()) return report({Outcome::kInvalidRequest, folder + ": holds only perturbed demonstrations"});
+  Symbols symbols;
+  const auto lexicon = Lexicon::load(config_path("language/household.json"), symbols);
+  if (!lexicon) return report(lexicon.error());
+
+  EvaluationOptions options;
+  options.grounding = grounding == "given";
+  options.threads = threads;
+  const bool show = !json && isatty(STDERR_FILENO) != 0;
+  if (show)
+    options.progress = [](std::size_t done, std::size_t all) { std::fprintf(stderr, "\r%zu of %zu", done, all); };
+  const auto begin = std::chrono::steady_clock::now();
+  const auto evaluation = evaluate([&] { return load_model(model, ModelUse::kBenchmark); }, *demonstrations, *lexicon, options);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (show) std::fprintf(stderr, "\n");
+  if (!evaluation) return report(evaluation.error());
+  if (!runs.empty())
+    if (const auto written = write_runs(evaluation->runs, runs); !written) return report(written.error());
+
+  std::size_t refused = 0;
+  for (const ModelRun& run : evaluation->runs) refused += !run.refusal.empty();
+  if (json) {
+    nlohmann::json object = to_json(evaluation->mean);
+    object["count"] = evaluation->runs.size();
+    object["refused"] = refused;
+    object["grounding"] = grounding;
+    object["model"] = model;
+    object["seconds"] = seconds;
+    std::printf("%s\n", object.dump().c_str());
+  } else {
+    const Scores& s = evaluation->mean;
+    std::printf("%zu demonstrations, grounding %s, %.1f s\n", evaluation->runs.size(), grounding.c_str(), seconds);
+    std::printf("SJI %.3f  IED %.3f  F1 %.3f  GRR %.3f   (grr_formula %.3f, exact %.3f, ied_canonical %.3f)\n", s.sji,
+                s.ied, s.f1, s.grr, s.grr_formula, s.exact, s.ied_canonical);
+    if (refused > 0) std::printf("%zu refused\n", refused);
+  }
+  return 0;
+}
+
+}  // namespace goalnet::tools

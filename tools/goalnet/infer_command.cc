@@ -1,0 +1,121 @@
+#include "tools/goalnet/infer_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "components/core/config_path.h"
+#include "components/goalnet/goal_model.h"
+#include "components/goalnet/goal_planner.h"
+
+namespace goalnet::tools {
+namespace {
+
+using namespace goalnet::inference;
+using nlohmann::json;
+
+int report(const Error& error) {
+  std::fprintf(stderr, "goalnet infer: %s\n", error.message.c_str());
+  return static_cast<int>(error.outcome);
+}
+
+Expected<WorldState> read_world(const std::string& path) {
+  const auto bad = [&](const std::string& what) { return fail(Outcome::kInvalidRequest, path + ": " + what); };
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) return bad("cannot be read");
+  try {
+    const json object = json::parse(text.str());
+    if (!object.is_object() || !object.contains("facts")) return bad("should be {\"objects\": [...], \"facts\": [...]}");
+    std::vector<Predicate> facts;
+    std::set<std::string> objects;
+    for (const json& item : object.at("facts")) {
+      auto fact = parse_predicate(item.get<std::string>());
+      if (!fact) return bad(fact.error().message);
+      objects.insert(fact->subject);
+      if (!fact->object.empty() && fact->relation != "state") objects.insert(fact->object);
+      facts.push_back(std::move(*fact));
+    }
+    if (object.contains("objects"))
+      for (const json& name : object.at("objects")) objects.insert(name.get<std::string>());
+    return WorldState{{objects.begin(), objects.end()}, FactSet(std::move(facts))};
+  } catch (const json::exception& error) {
+    return bad(error.what());
+  }
+}
+
+json texts(const std::vector<Predicate>& facts) {
+  json list = json::array();
+  for (const Predicate& fact : facts) list.push_back(to_string(fact));
+  return list;
+}
+
+}  // namespace
+
+int infer_command(int argc, char** argv) {
+  CLI::App app("Infers the goals of an instruction in a given world.", "goalnet infer");
+  std::string state, instruction, model_file = config_path("models/goalnet.safetensors");
+  std::size_t steps = 30;
+  bool as_json = false;
+  app.add_option("STATE.json", state, "the world: {\"objects\": [...], \"facts\": [\"(On Mug_1 Sink)\", ...]}")->required();
+  app.add_option("INSTRUCTION", instruction, "what to do, in plain English")->required();
+  app.add_option("--model", model_file, "model file")->capture_default_str();
+  app.add_option("--steps", steps, "at most so many steps")->check(CLI::Range(1, 30))->capture_default_str();
+  app.add_flag("--json", as_json, "print one JSON object");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
+  }
+  const auto world = read_world(state);
+  if (!world) return report(world.error());
+  auto model = load_model(model_file);
+  if (!model) return report(model.error());
+
+  Symbols symbols;
+  const GoalPlanner planner;
+  std::vector<WorldState> states = {*world};
+  std::vector<Goal> goals;
+  json list = json::array();
+  Error problem{Outcome::kDone, ""};
+  SymState now = to_sym_state(world->facts, symbols);
+  while (goals.size() < steps) {
+    const auto goal = (*model)->infer({.sentence = instruction, .grounding = nullptr, .states = states, .goals = goals});
+    if (!goal) {
+      problem = goal.error();
+      break;
+    }
+    if (goal->empty()) break;
+    json actions = json::array();
+    const auto plan = planner.plan(to_sym_goal(*goal, symbols), now);
+    if (plan)
+      for (const SymAction& action : *plan) {
+        apply(action, now);
+        actions.push_back(to_string(action, symbols));
+      }
+    list.push_back({{"positive", texts(goal->positive)}, {"negative", texts(goal->negative)}, {"confidence", goal->confidence}, {"actions", actions}});
+    goals.push_back(*goal);
+    states.push_back({world->objects, to_fact_set(now, symbols)});
+  }
+  if (as_json) {
+    std::printf("%s\n", json{{"instruction", instruction}, {"model", (*model)->kind()}, {"outcome", to_string(problem.outcome)},
+                             {"message", problem.message}, {"steps", list}}.dump().c_str());
+  } else {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      std::printf("%zu.", i + 1);
+      for (const json& fact : list[i]["positive"]) std::printf(" %s", fact.get_ref<const std::string&>().c_str());
+      for (const json& fact : list[i]["negative"]) std::printf(" not %s", fact.get_ref<const std::string&>().c_str());
+      std::printf("   confidence %.2f\n", list[i]["confidence"].get<double>());
+    }
+    if (problem.outcome == Outcome::kDone) std::printf(list.empty() ? "Nothing is left to do.\n" : "Then nothing is left to do.\n");
+  }
+  if (problem.outcome != Outcome::kDone) return report(problem);
+  return 0;
+}
+
+}  // namespace goalnet::tools
