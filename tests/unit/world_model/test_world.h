@@ -24,6 +24,10 @@ inline const scene::Scene& kitchen() {
   static const scene::Scene scene = value_or_throw(scene::load_scene("kitchen"));
   return scene;
 }
+inline const scene::Scene& living_room() {
+  static const scene::Scene scene = value_or_throw(scene::load_scene("living_room"));
+  return scene;
+}
 inline const robot::RobotModel& default_robot() {
   static const robot::RobotModel robot = value_or_throw(robot::load_robot("default"));
   return robot;

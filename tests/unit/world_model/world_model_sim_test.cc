@@ -1,4 +1,4 @@
-// The world model looking at the simulated kitchen: what physics settles into is what the facts say, and they
+// The world model looking at the simulated rooms: what physics settles into is what the facts say, and they
 // stay.
 #include <gtest/gtest.h>
 
@@ -12,13 +12,15 @@ namespace {
 
 using test::default_robot;
 using test::kitchen;
+using test::living_room;
 
-class SimulatedKitchen {
+class SimulatedRoom {
  public:
-  explicit SimulatedKitchen(std::uint64_t seed) : model_(kitchen(), default_robot()) {
+  SimulatedRoom(const scene::Scene& scene, std::uint64_t seed)
+      : scene_(scene), model_(scene, default_robot()) {
     sim::WorldOptions options;
     options.seed = seed;
-    world_ = test::value_or_throw(sim::World::create(kitchen(), default_robot(), options));
+    world_ = test::value_or_throw(sim::World::create(scene_, default_robot(), options));
   }
 
   // 50 ms of physics, then a look.
@@ -36,8 +38,8 @@ class SimulatedKitchen {
       joints.positions.push_back(world_->fixture_joint(j).position);
     }
     ObservedPoses poses{now, {}};
-    for (std::size_t i = 0; i < kitchen().objects.size(); ++i)
-      poses.objects.push_back({kitchen().objects[i].name, world_->object_pose(i)});
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i)
+      poses.objects.push_back({scene_.objects[i].name, world_->object_pose(i)});
     model_.observe(joints);
     model_.observe(poses);
     return model_.update().facts;
@@ -45,40 +47,46 @@ class SimulatedKitchen {
   sim::World& world() { return *world_; }
 
  private:
+  const scene::Scene& scene_;
   std::unique_ptr<sim::World> world_;
   WorldModel model_;
 };
 
 TEST(WorldModelOfTheSimulator, SettlesAndStays) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
-    SimulatedKitchen kitchen_now(seed);
-    for (int n = 0; n < 10; ++n) kitchen_now.look();
-    const FactSet settled = kitchen_now.look();
-    for (const scene::Object& object : kitchen().objects) {
-      const scene::Region* region = kitchen().find_region(object.placement.on);
-      const std::string relation = region->relation == scene::RegionRelation::kIn ? "In" : "On";
-      EXPECT_TRUE(settled.contains({relation, object.name, region->name})) << object.name << " seed " << seed;
+  for (const scene::Scene* scene : {&kitchen(), &living_room()})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      const std::string where = scene->name + " seed " + std::to_string(seed);
+      SimulatedRoom room(*scene, seed);
+      for (int n = 0; n < 10; ++n) room.look();
+      const FactSet settled = room.look();
+      for (const scene::Object& object : scene->objects) {
+        const scene::Region* region = scene->find_region(object.placement.on);
+        if (region == nullptr) continue;  // stands on the floor
+        const std::string relation = region->relation == scene::RegionRelation::kIn ? "In" : "On";
+        EXPECT_TRUE(settled.contains({relation, object.name, region->name})) << object.name << ' ' << where;
+      }
+      for (int n = 0; n < 30; ++n) {
+        const FactSet& now = room.look();
+        for (const Predicate& fact : difference(now, settled))
+          ADD_FAILURE() << where << ": came " << to_string(fact);
+        for (const Predicate& fact : difference(settled, now))
+          ADD_FAILURE() << where << ": went " << to_string(fact);
+      }
     }
-    for (int n = 0; n < 30; ++n) {
-      const FactSet& now = kitchen_now.look();
-      EXPECT_TRUE(now == settled) << "seed " << seed << ": " << difference(now, settled).size() << " more, "
-                                  << difference(settled, now).size() << " less";
-    }
-  }
 }
 
 TEST(WorldModelOfTheSimulator, SeesThingsDropAndLand) {
-  SimulatedKitchen kitchen_now(1);
-  for (int n = 0; n < 10; ++n) kitchen_now.look();
+  SimulatedRoom room(kitchen(), 1);
+  for (int n = 0; n < 10; ++n) room.look();
   const scene::Object* mug = kitchen().find_object("Mug_1");
   const scene::Region* sink = kitchen().find_region("Sink");
   scene::Pose above = kitchen().find_fixture("Sink")->pose * sink->supports[0].frame;
   above.translation().z() += 0.15;
-  kitchen_now.world().set_object_pose(static_cast<std::size_t>(mug - kitchen().objects.data()), above);
+  room.world().set_object_pose(static_cast<std::size_t>(mug - kitchen().objects.data()), above);
   int changes = 0;
   bool was = false;
   for (int n = 0; n < 30; ++n) {
-    const bool now = kitchen_now.look().contains({"On", "Mug_1", "Sink"});
+    const bool now = room.look().contains({"On", "Mug_1", "Sink"});
     changes += now != was;
     was = now;
   }
