@@ -109,7 +109,8 @@ class Search {
     });
   }
 
-  std::optional<ReachSolution> try_stand(const Candidate& candidate) {
+  // Tries the reaches of places [from, to) among those within arm's length.
+  std::optional<ReachSolution> try_stand(const Candidate& candidate, std::size_t from, std::size_t to) {
     const Configuration q = posture_at(bench_, candidate.stand, candidate.drives);
     bench_.checker().ignore_riding(candidate.drives);
     if (candidate.drives) {
@@ -118,10 +119,11 @@ class Search {
       const CollisionQuery all{&bench_.checker().all_parts(), bench_.params().drive_margin, nullptr, true};
       if (bench_.checker().collides(q, all)) return std::nullopt;
     }
-    std::size_t looked_at = 0;
+    std::size_t place = 0;
     for (const std::size_t index : order_) {
-      if (looked_at >= options_.most_reaches || tries_ >= options_.most_tries) break;
-      if (auto along = try_reach(q, reaches_[index], looked_at)) {
+      if (place >= to || tries_ >= options_.most_tries) break;
+      if (!within_length(q, reaches_[index]) || place++ < from) continue;
+      if (auto along = try_reach(q, reaches_[index])) {
         return ReachSolution{candidate.stand, candidate.drives, index, std::move(*along)};
       }
     }
@@ -129,15 +131,16 @@ class Search {
   }
 
  private:
-  std::optional<std::vector<ArmPositions>> try_reach(const Configuration& stand, const Reach& reach,
-                                                     std::size_t& looked_at) {
+  // Quick no: too far, or reaching back towards oneself.
+  bool within_length(const Configuration& stand, const Reach& reach) const {
+    const Pose first = bench_.arm_base_pose(stand, reach.arm).inverse() * reach.tool.front();
+    return first.translation().norm() < 1.15 && (options_.backwards || first.linear()(0, 2) > -0.35);
+  }
+
+  std::optional<std::vector<ArmPositions>> try_reach(const Configuration& stand, const Reach& reach) {
     const Configuration q = bench_.with_fingers(stand, reach.arm, reach.opening);
     const Pose base = bench_.arm_base_pose(q, reach.arm);
     const Pose first = base.inverse() * reach.tool.front();
-    // Quick no: too far, or reaching back towards oneself.
-    if (first.translation().norm() > 1.15) return std::nullopt;
-    if (!options_.backwards && first.linear()(0, 2) < -0.35) return std::nullopt;
-    ++looked_at;
     ++tries_;
     // Long ways (the arc of a door) mostly fail at their far end: ask for that first, it is cheap.
     if (reach.tool.size() > 2) {
@@ -187,11 +190,18 @@ Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& r
   if (reaches.empty())
     return fail(Outcome::kMotionFailed, "there is no way to take hold of it or to put it there");
   Search search(bench, reaches, options);
-  for (const auto& candidate : candidates(bench, reaches, options.may_drive)) {
-    if (bench.stopped()) return fail(Outcome::kCancelled, "cancelled while looking for a place to stand");
-    auto solution = search.try_stand(candidate);
-    bench.checker().ignore_riding(false);
-    if (solution) return std::move(*solution);
+  // First only the best ways everywhere: a better stand is found sooner than a contorted reach from this one.
+  constexpr std::size_t kBest = 24;
+  const auto stands = candidates(bench, reaches, options.may_drive);
+  const std::pair<std::size_t, std::size_t> passes[] = {{0, kBest}, {kBest, options.most_reaches}};
+  for (const auto& [from, to] : passes) {
+    if (from >= std::min(to, reaches.size())) continue;
+    for (const auto& stand : stands) {
+      if (bench.stopped()) return fail(Outcome::kCancelled, "cancelled while looking for a place to stand");
+      auto solution = search.try_stand(stand, from, to);
+      bench.checker().ignore_riding(false);
+      if (solution) return std::move(*solution);
+    }
   }
   return fail(Outcome::kMotionFailed,
               "no place to stand from which a hand reaches it without touching something");

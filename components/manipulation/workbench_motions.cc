@@ -109,10 +109,14 @@ std::optional<std::vector<ArmPositions>> Workbench::follow(const Configuration& 
   for (const auto& waypoint : poses) {
     for (const auto& pose : interpolate(last, waypoint)) {
       const auto next = arms_[arm].follow(to_base * pose, out.back(), 0.35);
-      if (!next || checker_.collides(with_arm(q, arm, *next), query)) return std::nullopt;
+      if (!next) return std::nullopt;
       out.push_back(*next);
     }
     last = waypoint;
+  }
+  // Collisions only once the whole line can be followed at all, from its far end, where they are likeliest.
+  for (std::size_t i = out.size(); i-- > 1;) {
+    if (checker_.collides(with_arm(q, arm, out[i]), query)) return std::nullopt;
   }
   return out;
 }
