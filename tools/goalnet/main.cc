@@ -33,6 +33,7 @@ constexpr Command kCommands[] = {
     {"eval", "score a model on a folder of demonstrations", eval_command},
 #endif
     {"train", "learn a model from demonstrations (needs libtorch)", nullptr, "goalnet-train"},
+    {"ablate", "train and score the paper's network without each of its parts (needs libtorch)", nullptr, "goalnet-train"},
     {"bench", "measure speed: inference, planning, motion, real-time factor, jitter", nullptr,
      "goalnet-robot"},
 };

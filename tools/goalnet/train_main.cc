@@ -1,5 +1,8 @@
 // goalnet-train: the commands of `goalnet` that learn. People type `goalnet`; see command.h.
 #include "tools/goalnet/command.h"
+#ifdef GOALNET_HAS_NETWORK_TRAINING
+#include "tools/goalnet/ablate_command.h"
+#endif
 #include "tools/goalnet/train_command.h"
 
 namespace goalnet::tools {
@@ -7,6 +10,9 @@ namespace {
 
 constexpr Command kCommands[] = {
     {"train", "learn a model from demonstrations", train_command},
+#ifdef GOALNET_HAS_NETWORK_TRAINING
+    {"ablate", "train and score the paper's model, its baseline, ablations and explorations", ablate_command},
+#endif
 };
 
 }  // namespace

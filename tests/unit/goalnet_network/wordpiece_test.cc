@@ -14,7 +14,9 @@ using ::testing::HasSubstr;
 
 const WordPiece& pieces() {
   //                      0      1      2      3     4      5      6     7    8     9     10
-  static const WordPiece kPieces = WordPiece::parse("[PAD]\n[UNK]\n[CLS]\n[SEP]\nmicro\n##wave\nwave\n##s\ncafe\n,\nput\n", "vocab").value();
+  static const WordPiece kPieces =
+      WordPiece::parse("[PAD]\n[UNK]\n[CLS]\n[SEP]\nmicro\n##wave\nwave\n##s\ncafe\n,\nput\n", "vocab")
+          .value();
   return kPieces;
 }
 
