@@ -1,0 +1,116 @@
+#include "tools/goalnet/plan_command.h"
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "components/planner/plan_format.h"
+#include "components/planner/planner.h"
+#include "components/planner/validator.h"
+
+namespace goalnet::tools {
+namespace {
+
+struct Options {
+  std::string domain, problem;
+  double time_limit = 20.0;
+  double memory_limit = 1024.0;
+  bool satisficing = false, statistics = false, json = false;
+};
+
+// A signal handler can only reach something static. request_stop without callbacks is one atomic operation.
+std::stop_source& interruption() {
+  static std::stop_source source;
+  return source;
+}
+
+void on_signal(int) { interruption().request_stop(); }
+
+nlohmann::json to_json(const planner::Plan& plan) {
+  nlohmann::json actions = nlohmann::json::array();
+  for (const Action& action : plan.actions) actions.push_back({{"name", action.name}, {"arguments", action.arguments}});
+  const planner::Statistics& s = plan.statistics;
+  return {{"actions", actions},
+          {"cost", plan.cost},
+          {"lower_bound", plan.lower_bound},
+          {"optimal", plan.optimal},
+          {"statistics",
+           {{"method", s.method},
+            {"ground_actions", s.ground_actions},
+            {"ground_facts", s.ground_facts},
+            {"evaluated", s.evaluated},
+            {"expanded", s.expanded},
+            {"generated", s.generated},
+            {"symmetries", s.symmetries},
+            {"search_table_bytes", s.peak_bytes},
+            {"grounding_s", s.grounding_seconds},
+            {"search_s", s.search_seconds}}}};
+}
+
+Expected<planner::Plan> make_plan(const Options& options, bool* with_costs) {
+  const auto domain = planner::load_domain(options.domain);
+  if (!domain) return tl::unexpected(domain.error());
+  const auto problem = planner::load_problem(options.problem, *domain);
+  if (!problem) return tl::unexpected(problem.error());
+  *with_costs = problem->minimise_cost;
+  planner::SolveOptions solve;
+  solve.time_limit = std::chrono::nanoseconds(static_cast<std::int64_t>(options.time_limit * 1e9));
+  solve.memory_limit = static_cast<std::int64_t>(options.memory_limit * 1024 * 1024);
+  solve.satisficing = options.satisficing;
+  solve.stop = interruption().get_token();
+  auto plan = planner::solve(*domain, *problem, solve);
+  if (!plan) return plan;
+  // Nobody should act on a plan that was not replayed.
+  if (const auto valid = planner::validate(*problem, plan->actions); !valid) {
+    return fail(Outcome::kInternal, "the plan found is not valid; please report this problem: " + valid.error().message);
+  }
+  return plan;
+}
+
+}  // namespace
+
+int plan_command(int argc, char** argv) {
+  Options options;
+  CLI::App app("Solves a PDDL problem (PDDL 2.1's ADL part, action costs, derived predicates) and prints a cheapest plan.");
+  app.name("goalnet plan");
+  app.add_option("domain", options.domain, "PDDL domain file")->required();
+  app.add_option("problem", options.problem, "PDDL problem file")->required();
+  app.add_option("--time-limit", options.time_limit,
+                 "seconds; then the best plan so far is printed, which may not be optimal (0: no limit)")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--memory-limit", options.memory_limit, "megabytes for the search's tables")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
+  app.add_flag("--satisficing", options.satisficing, "any plan will do");
+  app.add_flag("--statistics", options.statistics, "also print what the search did, as comments");
+  app.add_flag("--json", options.json, "print one JSON object");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
+  }
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  bool with_costs = false;
+  const auto plan = make_plan(options, &with_costs);
+  const Outcome outcome = plan ? Outcome::kDone : plan.error().outcome;
+  if (options.json) {
+    nlohmann::json json = plan ? to_json(*plan) : nlohmann::json::object();
+    json["outcome"] = std::string(to_string(outcome));
+    json["message"] = plan ? "" : plan.error().message;
+    std::printf("%s\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  } else if (plan) {
+    std::fputs(planner::to_competition_format(*plan, with_costs).c_str(), stdout);
+    if (!plan->optimal) {
+      std::printf("; not known to be optimal: no plan costs less than %lld\n", static_cast<long long>(plan->lower_bound));
+    }
+    if (options.statistics) std::fputs(planner::statistics_as_comments(*plan).c_str(), stdout);
+  }
+  if (!plan) std::fprintf(stderr, "goalnet plan: %s\n", plan.error().message.c_str());
+  return static_cast<int>(outcome);
+}
+
+}  // namespace goalnet::tools
