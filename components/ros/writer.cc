@@ -50,6 +50,7 @@ Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::P
     return fail(Outcome::kInternal, "Fast DDS cannot make a writer for " + options.dds_topic);
   }
   impl->gid = detail::to_gid(impl->writer->guid());
+  participant->note_writer(options.dds_topic, options.dds_type, options.qos.reliable, options.qos.transient_local);
   participant->add_endpoint(options.node, impl->gid, true);
   return std::shared_ptr<Writer>(new Writer(std::move(impl)));
 }

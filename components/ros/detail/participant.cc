@@ -96,7 +96,8 @@ Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSett
   qos.allocation().locators.max_multicast_locators = 0;
 
   self->participant_ =
-      dds::DomainParticipantFactory::get_instance()->create_participant(settings.domain_id, qos);
+      dds::DomainParticipantFactory::get_instance()->create_participant(settings.domain_id, qos, &self->listener_,
+                                                                          dds::StatusMask::none());
   if (self->participant_ == nullptr) {
     return fail(Outcome::kInternal, "Fast DDS cannot make a participant on domain " + std::to_string(settings.domain_id) +
                                         "; is a network interface up, and /dev/shm writable?");
@@ -184,6 +185,27 @@ void Participant::add_endpoint(const std::string& node_full_name, const Gid& gid
 void Participant::remove_endpoint(const Gid& gid) {
   std::lock_guard lock(mutex_);
   if (graph_->remove(gid)) publish_graph();
+}
+
+void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) {
+  if (info.status != rtps::WriterDiscoveryInfo::DISCOVERED_WRITER) return;
+  participant.note_writer(info.info.topicName().to_string(), info.info.typeName().to_string(),
+                          info.info.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS,
+                          info.info.m_qos.m_durability.kind != dds::VOLATILE_DURABILITY_QOS);
+}
+
+void Participant::note_writer(const std::string& topic, const std::string& dds_type, bool reliable, bool transient_local) {
+  constexpr std::size_t kMostTopics = 10'000;  // what a hostile peer can make us remember
+  std::lock_guard lock(written_mutex_);
+  if (written_.size() >= kMostTopics && !written_.contains(topic)) return;
+  WrittenTopic& entry = written_.try_emplace(topic, WrittenTopic{dds_type, true, true}).first->second;
+  entry.reliable = entry.reliable && reliable;
+  entry.transient_local = entry.transient_local && transient_local;
+}
+
+std::map<std::string, WrittenTopic> Participant::written_topics() const {
+  std::lock_guard lock(written_mutex_);
+  return written_;
 }
 
 Graph Participant::graph() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -34,6 +35,13 @@ struct ParticipantSettings {
 // Options completed from the environment. kInvalidRequest names the variable that makes no sense.
 Expected<ParticipantSettings> read_settings(const ContextOptions& options);
 
+// A topic that somebody writes, here or elsewhere.
+struct WrittenTopic {
+  std::string dds_type;
+  bool reliable = true;         // all its writers are
+  bool transient_local = true;  // all its writers are
+};
+
 // Thread-safe.
 class Participant : public std::enable_shared_from_this<Participant> {
  public:
@@ -55,7 +63,19 @@ class Participant : public std::enable_shared_from_this<Participant> {
   void remove_endpoint(const Gid& gid);
   Graph graph() const;
 
+  // By DDS name; topics stay listed when their writers leave.
+  std::map<std::string, WrittenTopic> written_topics() const;
+  void note_writer(const std::string& topic, const std::string& dds_type, bool reliable, bool transient_local);
+
  private:
+  // Hears of writers elsewhere.
+  struct DiscoveryListener : eprosima::fastdds::dds::DomainParticipantListener {
+    explicit DiscoveryListener(Participant& owner) : participant(owner) {}
+    void on_publisher_discovery(eprosima::fastdds::dds::DomainParticipant*,
+                                eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
+    Participant& participant;
+  };
+
   explicit Participant(const ParticipantSettings& settings) : settings_(settings) {}
   Expected<void> open_graph();
   void publish_graph();
@@ -71,6 +91,9 @@ class Participant : public std::enable_shared_from_this<Participant> {
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
   mutable std::mutex mutex_;
+  DiscoveryListener listener_{*this};
+  mutable std::mutex written_mutex_;
+  std::map<std::string, WrittenTopic> written_;  // bounded
   std::map<std::string, SharedTopic> topics_;
   std::unique_ptr<Graph> graph_;
   eprosima::fastdds::dds::DataWriter* graph_writer_ = nullptr;
