@@ -1,0 +1,5 @@
+(define (problem blocks-8) (:domain blocks)
+  (:objects a b c d e f g h - block)
+  (:init (hand-empty) (on-table c) (on b c) (on a b) (clear a) (on-table f) (on e f) (on d e) (clear d)
+         (on-table h) (on g h) (clear g))
+  (:goal (and (on c a) (on a h) (on h e) (on f d) (on d g))))

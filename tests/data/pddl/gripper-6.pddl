@@ -1,0 +1,6 @@
+(define (problem gripper-6) (:domain gripper)
+  (:objects kitchen hall left right b1 b2 b3 b4 b5 b6)
+  (:init (room kitchen) (room hall) (gripper left) (gripper right) (free left) (free right) (at-robot kitchen)
+         (ball b1) (ball b2) (ball b3) (ball b4) (ball b5) (ball b6)
+         (at b1 kitchen) (at b2 kitchen) (at b3 kitchen) (at b4 kitchen) (at b5 kitchen) (at b6 kitchen))
+  (:goal (and (at b1 hall) (at b2 hall) (at b3 hall) (at b4 hall) (at b5 hall) (at b6 hall))))

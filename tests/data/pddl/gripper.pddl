@@ -1,0 +1,12 @@
+; A robot with two grippers carries balls between rooms. Untyped STRIPS.
+(define (domain gripper)
+  (:predicates (room ?r) (ball ?b) (gripper ?g) (at-robot ?r) (at ?b ?r) (free ?g) (carry ?b ?g))
+  (:action move :parameters (?from ?to)
+    :precondition (and (room ?from) (room ?to) (at-robot ?from))
+    :effect (and (at-robot ?to) (not (at-robot ?from))))
+  (:action pick :parameters (?b ?r ?g)
+    :precondition (and (ball ?b) (room ?r) (gripper ?g) (at ?b ?r) (at-robot ?r) (free ?g))
+    :effect (and (carry ?b ?g) (not (at ?b ?r)) (not (free ?g))))
+  (:action drop :parameters (?b ?r ?g)
+    :precondition (and (ball ?b) (room ?r) (gripper ?g) (carry ?b ?g) (at-robot ?r))
+    :effect (and (at ?b ?r) (free ?g) (not (carry ?b ?g)))))

@@ -1,0 +1,5 @@
+(define (problem lift-5) (:domain lift)
+  (:objects f1 f2 f3 f4 f5 - floor ann - honoured bob - companion cid - needs-company dan eva - passenger)
+  (:init (lift-at f1) (origin ann f2) (wants ann f5) (origin bob f3) (wants bob f1) (origin cid f3) (wants cid f4)
+         (origin dan f5) (wants dan f1) (origin eva f1) (wants eva f3) (banned dan f3))
+  (:goal (forall (?p - passenger) (served ?p))))

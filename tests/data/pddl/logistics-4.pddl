@@ -1,0 +1,12 @@
+(define (problem logistics-4) (:domain logistics)
+  (:objects ulm kiel bern - city ulm-air kiel-air bern-air - airport ulm-post kiel-post bern-post - place
+            ulm-truck kiel-truck bern-truck - truck jumbo - plane p1 p2 p3 p4 - parcel)
+  (:init (in-city ulm-air ulm) (in-city ulm-post ulm) (in-city kiel-air kiel) (in-city kiel-post kiel)
+         (in-city bern-air bern) (in-city bern-post bern)
+         (at ulm-truck ulm-air) (at kiel-truck kiel-post) (at bern-truck bern-air) (at jumbo kiel-air)
+         (at p1 ulm-post) (at p2 ulm-post) (at p3 kiel-post) (at p4 bern-air)
+         (= (distance ulm ulm) 0) (= (distance kiel kiel) 0) (= (distance bern bern) 0)
+         (= (distance ulm kiel) 9) (= (distance kiel ulm) 9) (= (distance ulm bern) 4) (= (distance bern ulm) 4)
+         (= (distance kiel bern) 11) (= (distance bern kiel) 11) (= (total-cost) 0))
+  (:goal (and (at p1 kiel-post) (at p2 bern-air) (at p3 ulm-air) (at p4 kiel-air)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,20 @@
+; Parcels travel by truck within a city and by plane between cities; distances cost.
+(define (domain logistics)
+  (:requirements :typing :action-costs)
+  (:types place vehicle parcel city - object
+          airport - place
+          truck plane - vehicle)
+  (:predicates (at ?x - (either vehicle parcel) ?p - place) (in ?p - parcel ?v - vehicle) (in-city ?p - place ?c - city))
+  (:functions (total-cost) - number (distance ?a ?b - city) - number)
+  (:action load :parameters (?p - parcel ?v - vehicle ?l - place)
+    :precondition (and (at ?v ?l) (at ?p ?l))
+    :effect (and (in ?p ?v) (not (at ?p ?l)) (increase (total-cost) 1)))
+  (:action unload :parameters (?p - parcel ?v - vehicle ?l - place)
+    :precondition (and (at ?v ?l) (in ?p ?v))
+    :effect (and (at ?p ?l) (not (in ?p ?v)) (increase (total-cost) 1)))
+  (:action drive :parameters (?t - truck ?from ?to - place ?c - city)
+    :precondition (and (at ?t ?from) (in-city ?from ?c) (in-city ?to ?c))
+    :effect (and (at ?t ?to) (not (at ?t ?from)) (increase (total-cost) 2)))
+  (:action fly :parameters (?p - plane ?from ?to - airport ?a ?b - city)
+    :precondition (and (at ?p ?from) (in-city ?from ?a) (in-city ?to ?b))
+    :effect (and (at ?p ?to) (not (at ?p ?from)) (increase (total-cost) (distance ?a ?b)))))

@@ -1,0 +1,6 @@
+(define (problem satellite-3) (:domain satellite)
+  (:objects one two - satellite star earth moon mars - direction cam spec wide - instrument optical infrared - mode)
+  (:init (on-board cam one) (on-board spec one) (on-board wide two) (supports cam optical) (supports spec infrared)
+         (supports wide optical) (points one earth) (points two moon) (target cam star) (target spec earth)
+         (target wide star))
+  (:goal (and (image moon optical) (image mars infrared) (image star optical) (points two earth))))
