@@ -45,8 +45,13 @@ void ExecutorNode::open_topics() {
       "joint_trajectory", ros::Qos::standard(), [this](const auto& message) { on_trajectory(message); });
   command_ = node_.subscribe<std_msgs::msg::String>("executor_command", ros::Qos::standard(),
                                                     [this](const auto& message) { on_command(message); });
-  timer_ = node_.create_timer(kReportPeriod, [this] { report(); });
-  if (params_.lockstep) return;
+  if (params_.lockstep) {
+    timer_ = node_.create_timer(kReportPeriod, [this] { report(); });
+    return;
+  }
+  // On the wall clock reports follow it even if the node uses simulated time: when a simulator dies, its time
+  // stands still, and that is when a fault has to be told.
+  timer_ = ros::Timer::create(node_.loop(), wall_clock_, kReportPeriod, [this] { report(); });
 
   joint_states_ = node_.subscribe<sensor_msgs::msg::JointState>(
       "joint_states", ros::Qos::standard(), [this](const auto& message) { on_joint_states(message); });

@@ -62,6 +62,7 @@ class ExecutorNode : public ros::Component {
   std::shared_ptr<ros::Subscription<trajectory_msgs::msg::JointTrajectory>> trajectory_;
   std::shared_ptr<ros::Subscription<std_msgs::msg::String>> command_;
   std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joint_states_;
+  ros::Clock wall_clock_;
   std::shared_ptr<ros::Timer> timer_;
   std::optional<ExecutorStatus> reported_;
   bool refused_lately_ = false;

@@ -10,6 +10,9 @@ namespace goalnet::world_model {
 namespace {
 
 constexpr std::chrono::milliseconds kPublishPeriod{100};
+// Wall-clock time without any observation that is reported. Long enough for a planner that thinks while
+// simulated time stands still.
+constexpr std::chrono::seconds kSilence{10};
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kStaleReportPeriod = 5 * kSecond;
 
@@ -58,6 +61,7 @@ void WorldModelNode::open_topics() {
   poses_ = node_.subscribe<goalnet_msgs::msg::ObjectPoses>(
       "object_poses", ros::Qos::standard(), [this](const auto& message) { on_poses(message); });
   timer_ = node_.create_timer(kPublishPeriod, [this] { publish_regularly(); });
+  silence_timer_ = ros::Timer::create(node_.loop(), wall_clock_, kSilence, [this] { watch_for_silence(); });
 }
 
 void WorldModelNode::on_poses(const goalnet_msgs::msg::ObjectPoses& message) {
@@ -69,6 +73,7 @@ void WorldModelNode::on_poses(const goalnet_msgs::msg::ObjectPoses& message) {
     observed.objects.push_back({object.name(), from_message(object.pose())});
   start_over_if_time_jumped_back(observed.time_ns);
   poses_ns_ = observed.time_ns;
+  ++observations_;
   report_ignored("object_poses", model_->observe(observed));
   if (!computed_ns_ || poses_ns_ - *computed_ns_ >= nanoseconds(1.0 / params_.rate)) update();
 }
@@ -76,6 +81,7 @@ void WorldModelNode::on_poses(const goalnet_msgs::msg::ObjectPoses& message) {
 void WorldModelNode::on_joints(const sensor_msgs::msg::JointState& message) {
   start_over_if_time_jumped_back(messages::to_nanoseconds(message.header().stamp()));
   joints_ns_ = messages::to_nanoseconds(message.header().stamp());
+  ++observations_;
   report_ignored("joint_states",
                  model_->observe(ObservedJoints{joints_ns_, message.name(), message.position()}));
 }
@@ -115,6 +121,18 @@ void WorldModelNode::publish_regularly() {
   stale_reported_ns_.reset();
   if (computed_ns_ != poses_ns_) update();
   if (model_->time_ns() > published_ns_) publish();
+}
+
+// When a simulator dies, its time stands still, and nothing ever becomes stale by it. So silence is also
+// watched for on the wall clock.
+void WorldModelNode::watch_for_silence() {
+  const bool silent = observations_ == observations_before_;
+  observations_before_ = observations_;
+  if (silent && !silence_reported_)
+    node_.log().error(
+        "nothing was observed for {} s of real time; is the simulator or the perception running?",
+        kSilence.count());
+  silence_reported_ = silent;
 }
 
 void WorldModelNode::publish() {

@@ -44,6 +44,7 @@ class WorldModelNode : public ros::Component {
   void update();
   void publish_regularly();
   void publish();
+  void watch_for_silence();
   void start_over_if_time_jumped_back(std::int64_t time_ns);
   void report_ignored(const char* topic, std::size_t count);
 
@@ -59,12 +60,15 @@ class WorldModelNode : public ros::Component {
   std::int64_t published_ns_ = 0;  // stamp of what was published last
   std::optional<std::int64_t> stale_reported_ns_;
   std::uint64_t ignored_reports_ = 0;
+  std::uint64_t observations_ = 0, observations_before_ = 0;  // counted by watch_for_silence()
+  bool silence_reported_ = false;
 
   std::shared_ptr<ros::Publisher<goalnet_msgs::msg::WorldState>> publisher_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ObjectPoses>> poses_;
   std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joints_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ObjectStates>> object_states_;
-  std::shared_ptr<ros::Timer> timer_;
+  ros::Clock wall_clock_;
+  std::shared_ptr<ros::Timer> timer_, silence_timer_;
 };
 
 }  // namespace goalnet::world_model
