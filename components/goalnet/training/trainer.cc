@@ -11,6 +11,7 @@
 
 #include "components/goalnet/network/network_model.h"
 #include "components/goalnet/training/augmentation.h"
+#include "components/goalnet/training/calibration.h"
 #include "components/goalnet/training/checkpoint.h"
 #include "components/goalnet/training/model_writer.h"
 #include "components/goalnet/training/planner_feeding.h"
@@ -111,21 +112,34 @@ class Trainer {
       }
       if (progress) progress(*report);
     }
-    auto file = model_file();
+    auto file = model_file(calibration_);
     if (!file) return tl::unexpected(file.error());
+    if (!held_out_.empty() && !encoder_) {
+      auto fitted = calibrate(*file);
+      if (!fitted) return tl::unexpected(fitted.error());
+      file = model_file(*fitted);
+    }
     return TrainedNetwork{std::move(*file), std::move(curve)};
   }
 
  private:
-  Expected<SafeTensorsWriter> model_file() const {
-    auto file = make_model_file(options_.config, vocabulary_, network_.tensors(), {});
+  Expected<SafeTensorsWriter> model_file(const network::Calibration& calibration) const {
+    auto file = make_model_file(options_.config, vocabulary_, network_.tensors(), calibration);
     if (file && encoder_) file->metadata("goalnet.encoder", std::string(encoder_->name()));
     return file;
   }
 
+  Expected<network::Calibration> calibrate(const SafeTensorsWriter& file) const {
+    auto parsed = SafeTensors::parse(file.bytes(), "the trained model");
+    if (!parsed) return tl::unexpected(parsed.error());
+    auto samples = calibration_samples(*parsed, held_out_, false);
+    if (!samples) return tl::unexpected(samples.error());
+    return fit_calibration(*samples);
+  }
+
   // The present weights in the Eigen network, to walk through episodes quickly.
   Expected<std::unique_ptr<GoalModel>> present_model() const {
-    auto file = model_file();
+    auto file = model_file(calibration_);
     if (!file) return tl::unexpected(file.error());
     auto parsed = SafeTensors::parse(file->bytes(), "the model in training");
     if (!parsed) return tl::unexpected(parsed.error());
@@ -212,6 +226,8 @@ class Trainer {
   }
 
   const TrainOptions& options_;
+  // Of a training without held-out demonstrations: fitted on held-out scenarios with these very options.
+  const network::Calibration calibration_{};
   const Vocabulary& vocabulary_;
   std::vector<Episode> episodes_, held_out_;
   TorchNetwork network_;
