@@ -47,7 +47,7 @@ void compare(std::uint64_t seed, bool with_costs, Tally* tally) {
 
 int problem_count() {
   const char* wanted = std::getenv("GOALNET_RANDOM_PROBLEMS");
-  return wanted == nullptr ? 3000 : std::atoi(wanted);
+  return wanted == nullptr ? 1500 : std::atoi(wanted);
 }
 
 TEST(RandomProblems, PlansAreAsShortAsBreadthFirst) {
