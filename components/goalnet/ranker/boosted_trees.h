@@ -8,9 +8,9 @@
 namespace goalnet::inference {
 
 struct BoostOptions {
-  int trees = 150;
-  int depth = 4;
-  float rate = 0.06f;
+  int trees = 400;
+  int depth = 6;
+  float rate = 0.03f;
   std::size_t min_rows = 60;  // in a leaf
   float row_share = 0.7f;     // of the rows that a tree sees
   float ridge = 5.0f;         // shrinks leaves with few rows

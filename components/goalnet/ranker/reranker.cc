@@ -1,6 +1,7 @@
 #include "components/goalnet/ranker/reranker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "components/goalnet/evaluation.h"
@@ -90,11 +91,16 @@ std::vector<RunFeatures> run_features(const std::vector<CandidateRun>& pool, con
 
 std::size_t choose_run(const BoostedTrees& trees, const std::vector<CandidateRun>& pool,
                        const std::vector<RunFeatures>& features) {
+  constexpr float kSharpness = 15;  // chosen by cross-validation among 8, 15 and 30
+  std::vector<float> weight(pool.size());
+  for (std::size_t i = 0; i < pool.size(); ++i)
+    weight[i] = pool[i].weight * (trees.empty() ? 1.0f : std::exp(kSharpness * trees.predict(features[i])));
   std::size_t best = 0;
-  float most = -1e9f;
+  float most = -1;
   for (std::size_t i = 0; i < pool.size(); ++i) {
-    const float value = trees.empty() ? features[i][4] : trees.predict(features[i]);
-    if (value > most + 1e-6f) most = value, best = i;
+    float value = 0;
+    for (std::size_t j = 0; j < pool.size(); ++j) value += weight[j] * agreement(pool[i], pool[j]).mean();
+    if (value > most) most = value, best = i;
   }
   return best;
 }

@@ -18,7 +18,8 @@ using RunFeatures = std::array<float, kRunFeatures>;
 std::vector<RunFeatures> run_features(const std::vector<CandidateRun>& pool, const Instruction& instruction,
                                       const SymState& start, const CandidateRun& reading, bool complete);
 
-// The best of the pool: by the trees, or by expected agreement where there are none.
+// The run that agrees best with the pool (minimum Bayes risk), each run of the pool counting by its weight and by what
+// the trees say of it. Without trees by its weight alone.
 std::size_t choose_run(const BoostedTrees& trees, const std::vector<CandidateRun>& pool,
                        const std::vector<RunFeatures>& features);
 
