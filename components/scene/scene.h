@@ -65,6 +65,9 @@ struct Scene {
 // is a path. Errors: kInvalidRequest with "file:line: what is wrong; what to do".
 Expected<Scene> load_scene(const std::string& name_or_path);
 
+// The same from memory; `path` stands for the file in messages and says where its libraries lie (../objects).
+Expected<Scene> parse_scene(const std::string& text, const std::string& path);
+
 // Poses of all objects (in the order of Scene::objects) for a seed: nominal poses plus jitter. The same seed
 // gives the same bits on every machine. Seed 0 is the nominal scene.
 std::vector<Pose> initial_poses(const Scene& scene, std::uint64_t seed);

@@ -123,6 +123,18 @@ Scene read_scene(YamlReader& root, const std::string& path) {
   return scene;
 }
 
+Expected<Scene> scene_of(const YAML::Node& node, const std::string& path) {
+  Mistakes mistakes;
+  try {
+    YamlReader root(node, path, mistakes);
+    Scene scene = read_scene(root, path);
+    if (!mistakes.none()) return tl::unexpected(mistakes.error());
+    return scene;
+  } catch (const YAML::Exception& error) {
+    return fail(Outcome::kInvalidRequest, path + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 Expected<Scene> load_scene(const std::string& name_or_path) {
@@ -144,15 +156,13 @@ Expected<Scene> load_scene(const std::string& name_or_path) {
   }
   auto node = read_yaml_file(path);
   if (!node) return tl::unexpected(node.error());
-  Mistakes mistakes;
-  try {
-    YamlReader root(*node, path, mistakes);
-    Scene scene = read_scene(root, path);
-    if (!mistakes.none()) return tl::unexpected(mistakes.error());
-    return scene;
-  } catch (const YAML::Exception& error) {
-    return fail(Outcome::kInvalidRequest, path + ": " + error.what());
-  }
+  return scene_of(*node, path);
+}
+
+Expected<Scene> parse_scene(const std::string& text, const std::string& path) {
+  auto node = read_yaml_text(text, path);
+  if (!node) return tl::unexpected(node.error());
+  return scene_of(*node, path);
 }
 
 }  // namespace goalnet::scene

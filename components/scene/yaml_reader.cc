@@ -32,16 +32,20 @@ Expected<YAML::Node> read_yaml_file(const std::string& path) {
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) return fail(Outcome::kInvalidRequest, path + ": cannot be read; it must be a file");
   text.resize(static_cast<std::size_t>(stream.gcount()));
+  return read_yaml_text(text, path);
+}
+
+Expected<YAML::Node> read_yaml_text(const std::string& text, const std::string& name) {
   if (text.size() > kMaxFileBytes) {
-    return fail(Outcome::kInvalidRequest, path + ": larger than 4 MiB; split it into several libraries");
+    return fail(Outcome::kInvalidRequest, name + ": larger than 4 MiB; split it into several libraries");
   }
   try {
     YAML::Node node = YAML::Load(text);
-    if (!node.IsMap()) return fail(Outcome::kInvalidRequest, path + ":1: must be a map of keys and values");
+    if (!node.IsMap()) return fail(Outcome::kInvalidRequest, name + ":1: must be a map of keys and values");
     return node;
   } catch (const YAML::Exception& error) {
     const int line = error.mark.is_null() ? 1 : error.mark.line + 1;
-    return fail(Outcome::kInvalidRequest, path + ":" + std::to_string(line) + ": not valid YAML: " +
+    return fail(Outcome::kInvalidRequest, name + ":" + std::to_string(line) + ": not valid YAML: " +
                                               error.msg + "; check indentation, quotes and brackets");
   }
 }

@@ -35,6 +35,8 @@ inline constexpr std::size_t kMaxListLength = 10'000;
 
 // Reads and parses a file; what cannot be read at all is an error at once.
 Expected<YAML::Node> read_yaml_file(const std::string& path);
+// The same from memory; `name` stands for the file in messages.
+Expected<YAML::Node> read_yaml_text(const std::string& text, const std::string& name);
 
 // A map of the file. Every getter notes a mistake and returns something harmless when the key is missing or
 // wrong.
