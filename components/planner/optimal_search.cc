@@ -143,7 +143,7 @@ OptimalSearch::Result OptimalSearch::resume(const SearchLimits& limits, Budget& 
     nodes_[id].closed = true;
     ++expanded_;
     if (expanded_ == kExpansionsBeforeSymmetry) {
-      symmetry_used_ = symmetry_.find(task, states_.state(0), budget) > 0;
+      symmetry_used_ = symmetry_.find(task, budget) > 0;
       statistics.symmetries = symmetry_.count();
     }
     const auto& actions = stubborn_.applicable(states_.state(entry.node));
