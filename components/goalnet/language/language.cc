@@ -79,7 +79,7 @@ Symbol Language::content(const std::string& phrase) const {
 bool Language::known(const std::string& word) const {
   return word == "." || word == "," || std::binary_search(vocabulary_.begin(), vocabulary_.end(), word) ||
          std::binary_search(vocabulary_.begin(), vocabulary_.end(), singular(word)) || seen_.contains(word) ||
-         seen_.contains(singular(word));
+         seen_.contains(singular(word)) || lexicon_->is_word_of_name(singular(word));  // names learned from this world
 }
 
 void Language::add_synonym(const std::string& word, const std::string& known_word) {

@@ -93,6 +93,10 @@ Expected<Goal> RankerModel::do_infer(const StepInput& input) {
 
 RankerModel::Decoded RankerModel::decode(const StepInput& input) {
   auto words = *tokenize(input.sentence);
+  // Things that the lexicon does not list are known by their names from here on.
+  for (const std::string& object : input.states.front().objects)
+    if (const Symbol symbol = parts_.symbols.intern(object); symbol != kNone)
+      parts_.lexicon->class_of(symbol, parts_.symbols);
   if (use_ == ModelUse::kRobot)
     for (std::string& word : words) word = parts_.language->correct(parts_.language->synonym(word));
   const WorldState& world = input.states.front();

@@ -1,0 +1,36 @@
+#include "components/goalnet/ranker/boosted_trees.h"
+
+#include <gtest/gtest.h>
+
+#include "components/goalnet/random.h"
+
+namespace goalnet::inference {
+namespace {
+
+TEST(BoostedTrees, LearnAStepAndAnInteraction) {
+  Random random(3);
+  std::vector<float> rows, targets;
+  for (int i = 0; i < 2000; ++i) {
+    const float a = random.uniform(), b = random.uniform(), c = random.uniform();
+    rows.insert(rows.end(), {a, b, c});
+    targets.push_back((a > 0.5f) == (b > 0.3f) ? 1.0f : 0.0f);
+  }
+  const auto trees = BoostedTrees::train(rows, 3, targets, {});
+  EXPECT_GT(trees.predict(std::vector<float>{0.9f, 0.9f, 0.5f}), 0.8f);
+  EXPECT_LT(trees.predict(std::vector<float>{0.9f, 0.1f, 0.5f}), 0.2f);
+  const auto again = BoostedTrees::train(rows, 3, targets, {});
+  EXPECT_EQ(trees.predict(std::vector<float>{0.2f, 0.6f, 0.1f}), again.predict(std::vector<float>{0.2f, 0.6f, 0.1f}));
+}
+
+TEST(BoostedTrees, RefuseTreesThatWouldNotEnd) {
+  BoostedTrees trees;
+  EXPECT_TRUE(trees.assign({{-1, 0.5f, 0, 0}}, {0}, 3));
+  EXPECT_FALSE(trees.assign({{0, 0.5f, 0, 0}}, {0}, 3)) << "a node that is its own child";
+  EXPECT_FALSE(trees.assign({{0, 0.5f, 1, 9}, {-1, 0, 0, 0}}, {0}, 3)) << "a child outside";
+  EXPECT_FALSE(trees.assign({{7, 0.5f, 1, 2}, {-1, 0, 0, 0}, {-1, 0, 0, 0}}, {0}, 3)) << "a feature outside";
+  EXPECT_FALSE(trees.assign({}, {0}, 3)) << "a root outside";
+  EXPECT_EQ(trees.predict(std::vector<float>{1, 1, 1}), 0.5f) << "the good trees stay";
+}
+
+}  // namespace
+}  // namespace goalnet::inference
