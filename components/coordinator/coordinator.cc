@@ -139,11 +139,14 @@ void Coordinator::drop(std::uint64_t id, const Request& request, const std::stri
 }
 
 void Coordinator::on_world(WorldState world, TimeNs stamp, TimeNs now) {
-  if (has_world_ && stamp < world_stamp_) return;  // late, or from before a restart of the clock
+  const bool older = has_world_ && stamp < world_stamp_;
+  const bool clock_restarted = older && now < world_stamp_;  // a simulator that was started again
+  if (older && !clock_restarted) return;                     // late
   world_ = std::move(world);
   world_stamp_ = stamp;
   has_world_ = true;
   if (!task_) return;
+  if (clock_restarted) return stop(Outcome::kWorldStale, "time jumped back; was the simulator restarted?", now);
   for (const Predicate& fact : world_.facts) {
     if (fact.relation == "Near") task_->visited.insert(fact);
   }

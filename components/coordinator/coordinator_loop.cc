@@ -39,6 +39,8 @@ void Coordinator::begin(Request request, std::uint64_t id, TimeNs now) {
   task_->request = std::move(request);
   task_->started = now;
   task_->last_sent = now;
+  // Only what is seen from now on counts: the last world may be all that a dead simulator left behind.
+  if (has_world_) task_->world_needed = world_stamp_ + 1;
   report_ = Report{};
   report_.id = id;
   report_.instruction = task_->request.instruction;
@@ -60,7 +62,7 @@ bool Coordinator::world_is_new_enough() const { return has_world_ && world_stamp
 void Coordinator::advance(TimeNs now) {
   Task& task = *task_;
   if (report_.stage == Stage::kWaiting) {
-    if (!has_world_ || now - world_stamp_ > nanoseconds(params_.world_timeout)) return;
+    if (!world_is_new_enough() || now - world_stamp_ > nanoseconds(params_.world_timeout)) return;
     task.first_facts = world_.facts;
     task.has_first_facts = true;
     return begin_step(now);

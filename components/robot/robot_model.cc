@@ -4,25 +4,15 @@
 #include <fstream>
 #include <sstream>
 
+#include "components/core/config_path.h"
+
 namespace goalnet::robot {
 namespace {
 
-// A bare name is looked up in config/robots of the working directory and of its parents, so that tests and
-// installed trees find it from where they run.
+// A bare name is a file in config/robots.
 std::filesystem::path resolve(const std::string& name_or_path) {
-  namespace fs = std::filesystem;
   if (name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".yaml")) return name_or_path;
-  const fs::path relative = fs::path("config") / "robots" / (name_or_path + ".yaml");
-  std::error_code ec;
-  for (fs::path dir = fs::current_path(ec); !dir.empty(); dir = dir.parent_path()) {
-    if (fs::exists(dir / relative, ec)) return dir / relative;
-    if (dir == dir.root_path()) break;
-  }
-#ifdef GOALNET_SOURCE_ROOT
-  if (fs::exists(fs::path(GOALNET_SOURCE_ROOT) / relative, ec))
-    return fs::path(GOALNET_SOURCE_ROOT) / relative;
-#endif
-  return relative;
+  return config_path("robots/" + name_or_path + ".yaml");
 }
 
 }  // namespace

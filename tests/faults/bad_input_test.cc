@@ -29,16 +29,12 @@ ProcessResult run(const std::vector<std::string>& arguments) {
 class BadInput : public testing::Test {
  protected:
   void SetUp() override {
-    shared_memory_ = testing_support::fast_dds_shared_memory();
     folder_ = std::filesystem::temp_directory_path() / ("goalnet-bad-input-" + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override {
     std::filesystem::remove_all(folder_);
-    const auto now = testing_support::fast_dds_shared_memory();
-    for (const std::string& name : now) {
-      EXPECT_THAT(shared_memory_, testing::Contains(name)) << "left behind in /dev/shm";
-    }
+    EXPECT_THAT(testing_support::shared_memory_of_domain(kDomain), testing::IsEmpty()) << "left behind";
   }
   std::string file(const std::string& name, const std::string& content) const {
     std::ofstream(folder_ / name, std::ios::binary) << content;
@@ -53,7 +49,6 @@ class BadInput : public testing::Test {
 
  private:
   std::filesystem::path folder_;
-  std::vector<std::string> shared_memory_;
 };
 
 TEST_F(BadInput, EmptyInstruction) {

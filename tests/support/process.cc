@@ -5,10 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -122,15 +123,25 @@ ProcessResult run_goalnet(const std::vector<std::string>& arguments, int domain,
   return Process(all, with_domain).wait(limit);
 }
 
-std::vector<std::string> fast_dds_shared_memory() {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", ignored)) {
-    std::string name = entry.path().filename().string();
-    if (name.find("fast") != std::string::npos) names.push_back(std::move(name));
+std::vector<std::string> shared_memory_of(int pid) {
+  std::set<std::string> files;
+  std::ifstream maps("/proc/" + std::to_string(pid) + "/maps");
+  for (std::string line; std::getline(maps, line);) {
+    const std::size_t place = line.find("/dev/shm/fast");
+    if (place != std::string::npos) files.insert(line.substr(place));
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  return {files.begin(), files.end()};
+}
+
+std::vector<std::string> shared_memory_of_domain(int domain) {
+  // The RTPS specification's mapping: 250 ports a domain, from 7400 on.
+  const int first = 7400 + 250 * domain;
+  std::vector<std::string> files;
+  for (int port = first; port < first + 250; ++port) {
+    const std::string file = "/dev/shm/fastrtps_port" + std::to_string(port);
+    if (std::filesystem::exists(file)) files.push_back(file);
+  }
+  return files;
 }
 
 }  // namespace goalnet::testing_support

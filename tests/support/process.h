@@ -47,7 +47,10 @@ ProcessResult run_goalnet(const std::vector<std::string>& arguments, int domain,
 // Path of a program of this build: "goalnet", "goalnet-robot".
 std::string program(const std::string& name);
 
-// Names of the files of Fast DDS in /dev/shm, sorted.
-std::vector<std::string> fast_dds_shared_memory();
+// Files of Fast DDS in /dev/shm that a process uses now, sorted.
+std::vector<std::string> shared_memory_of(int pid);
+
+// Files in /dev/shm for the ports of a DDS domain: there while a participant of that domain lives.
+std::vector<std::string> shared_memory_of_domain(int domain);
 
 }  // namespace goalnet::testing_support

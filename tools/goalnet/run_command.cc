@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -51,7 +52,13 @@ int refuse(const RunOptions& options, const Error& error) {
 class Run {
  public:
   explicit Run(const RunOptions& options)
-      : options_(options), label_(label_of(options)), printer_(std::cout, style_for(STDOUT_FILENO)) {}
+      : options_(options),
+        label_(label_of(options)),
+        printer_(std::cout, style_for(STDOUT_FILENO)),
+        stop_([this] {
+          if (LockstepLoop* loop = interruptible_.load()) loop->interrupt();
+        }) {}
+  ~Run() { interruptible_ = nullptr; }
 
   Expected<void> prepare(const ros::Arguments& arguments) {
     LoopOptions loop_options;
@@ -75,11 +82,13 @@ class Run {
     auto loop = LockstepLoop::create(loop_options, std::move(events));
     if (!loop) return tl::unexpected<Error>(std::move(loop.error()));
     loop_ = std::move(*loop);
-    return loop_->settle();
+    interruptible_ = loop_.get();
+    if (auto settled = loop_->settle(); !settled) return settled;
+    if (stop_.requested()) return fail(Outcome::kCancelled, "interrupted before it began");
+    return {};
   }
 
   int carry_out() {
-    StopSignal stop([this] { loop_->interrupt(); });
     if (!options_.json) printer_.begin(label_, "");
     start_ = SteadyClock::now();
     sim_start_ = loop_->sim_time();
@@ -90,8 +99,8 @@ class Run {
     }
     take_picture("start");
     bool cancelled = false;
-    while (!record_.last().finished && stop.age() < kPatience) {
-      if (stop.requested() && !cancelled) {
+    while (!record_.last().finished && stop_.age() < kPatience) {
+      if (stop_.requested() && !cancelled) {
         loop_->cancel("interrupted");
         cancelled = true;
       }
@@ -142,6 +151,8 @@ class Run {
   SteadyClock::time_point start_ = SteadyClock::now();
   double sim_start_ = 0.0;
   std::size_t pictures_ = 0;
+  std::atomic<LockstepLoop*> interruptible_{nullptr};
+  StopSignal stop_;  // last: its thread ends first
   std::unique_ptr<LockstepLoop> loop_;
 };
 

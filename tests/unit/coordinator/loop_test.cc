@@ -13,7 +13,7 @@ const FactSet kStart = facts({"(On Mug_1 Counter_1)", "(Near Robot Counter_1)"})
 TEST(Loop, InfersPlansActsAndObservesUntilNothingIsLeft) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.instruct("put the mug in the sink", 0, play.now));
+  ASSERT_TRUE(play.instruct("put the mug in the sink"));
   EXPECT_EQ(play.report().stage, Stage::kInferring);
   play.infer(goal({"(Grasping Robot Mug_1)"}));
   EXPECT_EQ(play.report().stage, Stage::kPlanning);
@@ -37,7 +37,7 @@ TEST(Loop, InfersPlansActsAndObservesUntilNothingIsLeft) {
 TEST(Loop, AGivenGoalSkipsInference) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.pursue(goal({"(On Mug_1 Sink)"}), play.now));
+  ASSERT_TRUE(play.pursue(goal({"(On Mug_1 Sink)"})));
   EXPECT_TRUE(play.port.goal_requests.empty());
   EXPECT_EQ(play.port.plan_requests.size(), 1u);
   play.plan(kMugToSink);
@@ -50,7 +50,7 @@ TEST(Loop, AGivenGoalSkipsInference) {
 TEST(Loop, ADoneActionCountsOnlyWhenTheWorldShowsIt) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.pursue(goal({"(Grasping Robot Mug_1)"}), play.now));
+  ASSERT_TRUE(play.pursue(goal({"(Grasping Robot Mug_1)"})));
   play.plan({kMugToSink[0]});
   play.finish_action(Outcome::kDone);  // the mug slipped: the world stays as it was
   play.pass(5.0);
@@ -69,7 +69,7 @@ TEST(Loop, ADoneActionCountsOnlyWhenTheWorldShowsIt) {
 TEST(Loop, AnEffectMayComeLate) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.pursue(goal({"(Grasping Robot Mug_1)"}), play.now));
+  ASSERT_TRUE(play.pursue(goal({"(Grasping Robot Mug_1)"})));
   play.plan({kMugToSink[0]});
   play.finish_action(Outcome::kDone);
   play.pass(3.0);
@@ -82,7 +82,7 @@ TEST(Loop, AnEffectMayComeLate) {
 TEST(Loop, EffectsAreReadOnlyFromTheWorldAfterTheAction) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.pursue(goal({"(Grasping Robot Mug_1)"}), play.now));
+  ASSERT_TRUE(play.pursue(goal({"(Grasping Robot Mug_1)"})));
   play.plan({kMugToSink[0]});
   const TimeNs before = play.now;
   play.now += kSecond;
@@ -97,7 +97,7 @@ TEST(Loop, EffectsAreReadOnlyFromTheWorldAfterTheAction) {
 TEST(Loop, AViolatedPreconditionLeadsToANewPlan) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.pursue(goal({"(On Mug_1 Sink)"}), play.now));
+  ASSERT_TRUE(play.pursue(goal({"(On Mug_1 Sink)"})));
   play.plan({kMugToSink[1]});  // made for another world: the mug is not held
   EXPECT_TRUE(play.port.orders.empty()) << "nothing moves";
   EXPECT_EQ(play.port.plan_requests.size(), 2u);
@@ -107,7 +107,7 @@ TEST(Loop, AViolatedPreconditionLeadsToANewPlan) {
 TEST(Loop, AFailedActionIsPlannedAgainFromAFreshWorld) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.pursue(goal({"(On Mug_1 Sink)"}), play.now));
+  ASSERT_TRUE(play.pursue(goal({"(On Mug_1 Sink)"})));
   play.plan(kMugToSink);
   play.now += kSecond;
   play.finish_action(Outcome::kMotionFailed, "no path");
@@ -124,7 +124,7 @@ TEST(Loop, AFailedActionIsPlannedAgainFromAFreshWorld) {
 TEST(Loop, MovingMayLeaveTheRobotNearOtherThings) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.pursue(goal({"(Near Robot Mug_1)", "(Near Robot Sink)"}), play.now));
+  ASSERT_TRUE(play.pursue(goal({"(Near Robot Mug_1)", "(Near Robot Sink)"})));
   play.plan({{"moveto", {"Mug_1"}}, {"moveto", {"Sink"}}});
   play.finish_action(Outcome::kDone);
   play.world = facts({"(Near Robot Counter_1)", "(Near Robot Mug_1)"});
@@ -137,7 +137,7 @@ TEST(Loop, MovingMayLeaveTheRobotNearOtherThings) {
 TEST(Loop, APlanThatOvertakesItsGoalIsKept) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.instruct("take the mug", 0, play.now));
+  ASSERT_TRUE(play.instruct("take the mug"));
   play.plan({kMugToSink[0]});
   EXPECT_TRUE(play.port.orders.empty());
   play.infer(goal({"(Grasping Robot Mug_1)"}));
@@ -147,7 +147,7 @@ TEST(Loop, APlanThatOvertakesItsGoalIsKept) {
 TEST(Loop, AnswersToOtherInstructionsAreIgnored) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.instruct("take the mug", 0, play.now));
+  ASSERT_TRUE(play.instruct("take the mug"));
   play.answer_goal({play.id() + 1, 0, goal({"(Grasping Robot Mug_1)"}), false, Outcome::kDone, ""});
   play.answer_goal({play.id(), 1, goal({"(Grasping Robot Mug_1)"}), false, Outcome::kDone, ""});
   EXPECT_EQ(play.report().stage, Stage::kInferring);
@@ -159,7 +159,7 @@ TEST(Loop, AnswersToOtherInstructionsAreIgnored) {
 TEST(Loop, RequestsNobodyReactedToAreSentAgain) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.instruct("take the mug", 0, play.now));
+  ASSERT_TRUE(play.instruct("take the mug"));
   play.pass(2.5);
   EXPECT_EQ(play.port.goal_requests.size(), 3u);
   play.infer(goal({"(Grasping Robot Mug_1)"}));
@@ -178,7 +178,7 @@ TEST(Loop, RequestsNobodyReactedToAreSentAgain) {
 TEST(Loop, ProgressGrowsWithTheActions) {
   Play play;
   play.world_now(kStart);
-  ASSERT_TRUE(play.coordinator.pursue(goal({"(On Mug_1 Sink)"}), play.now));
+  ASSERT_TRUE(play.pursue(goal({"(On Mug_1 Sink)"})));
   play.plan(kMugToSink);
   const ActionOrder order = play.port.orders.back();
   play.coordinator.on_action({order.id, order.step, order.index, false, 0.5, Outcome::kDone, ""}, play.now);
@@ -190,7 +190,7 @@ TEST(Loop, ProgressGrowsWithTheActions) {
 TEST(Loop, AskingForWhatHoldsAlreadyEndsAfterOneRepetition) {
   Play play;
   play.world_now(facts({"(On Mug_1 Sink)"}));
-  ASSERT_TRUE(play.coordinator.instruct("put the mug in the sink", 0, play.now));
+  ASSERT_TRUE(play.instruct("put the mug in the sink"));
   play.infer(goal({"(On Mug_1 Sink)"}));
   play.plan({});
   play.infer(goal({"(On Mug_1 Sink)"}));

@@ -14,7 +14,7 @@ struct Outcomes : testing::Test {
   void start(CoordinatorParams params = {}) {
     play.emplace(params);
     play->world_now(kStart);
-    ASSERT_TRUE(play->coordinator.instruct("put the mug in the sink", 0, play->now));
+    ASSERT_TRUE(play->instruct("put the mug in the sink"));
   }
   void start_acting(CoordinatorParams params = {}) {
     start(params);
@@ -63,7 +63,7 @@ TEST_F(Outcomes, NoPlan) {
 
 TEST_F(Outcomes, InvalidRequest) {
   play.emplace();
-  const auto refused = play->coordinator.instruct("  ", 0, play->now);
+  const auto refused = play->instruct("  ");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().outcome, Outcome::kInvalidRequest);
   expect_end(Outcome::kInvalidRequest, "empty");
@@ -71,7 +71,7 @@ TEST_F(Outcomes, InvalidRequest) {
 
 TEST_F(Outcomes, BusyLeavesTheRunningInstructionAlone) {
   start_acting();
-  const auto refused = play->coordinator.instruct("open the fridge", 0, play->now);
+  const auto refused = play->instruct("open the fridge");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().outcome, Outcome::kBusy);
   const std::size_t reports = play->port.reports.size();
@@ -90,11 +90,12 @@ TEST_F(Outcomes, QueuedInstructionsRunInOrder) {
   params.when_busy = WhenBusy::kQueue;
   params.queue_length = 1;
   start(params);
-  ASSERT_TRUE(play->coordinator.instruct("second", 0, play->now));
-  const auto third = play->coordinator.instruct("third", 0, play->now);
+  ASSERT_TRUE(play->instruct("second"));
+  const auto third = play->instruct("third");
   ASSERT_FALSE(third);
   EXPECT_EQ(third.error().outcome, Outcome::kBusy);
   play->infer({});
+  play->pass(0.1);
   EXPECT_EQ(play->report().instruction, "second");
   EXPECT_EQ(play->report().id, 2u);
   EXPECT_EQ(play->report().stage, Stage::kInferring);
@@ -104,8 +105,8 @@ TEST_F(Outcomes, AWaitingInstructionCanBeCancelledAlone) {
   CoordinatorParams params;
   params.when_busy = WhenBusy::kQueue;
   start(params);
-  const std::uint64_t second = play->coordinator.instruct("second", 0, play->now).value();
-  const std::uint64_t third = play->coordinator.instruct("third", 0, play->now).value();
+  const std::uint64_t second = play->instruct("second").value();
+  const std::uint64_t third = play->instruct("third").value();
   EXPECT_TRUE(play->coordinator.cancel_one(second, play->now));
   EXPECT_FALSE(play->coordinator.cancel_one(second, play->now)) << "it is gone";
   EXPECT_EQ(play->id(), 1u) << "the running one goes on";
@@ -147,7 +148,7 @@ TEST_F(Outcomes, StepLimit) {
 TEST_F(Outcomes, GoingInCirclesEnds) {
   play.emplace();
   play->world_now(kStart);
-  ASSERT_TRUE(play->coordinator.instruct("juggle the mug", 0, play->now));
+  ASSERT_TRUE(play->instruct("juggle the mug"));
   const auto once = [&] {
     play->infer(goal({"(Grasping Robot Mug_1)"}));
     if (play->report().finished) return;
@@ -205,7 +206,7 @@ TEST_F(Outcomes, MotionFailedWhenTheWorldNeverAgrees) {
 
 TEST_F(Outcomes, WorldStaleFromTheStart) {
   play.emplace();
-  ASSERT_TRUE(play->coordinator.instruct("take the mug", 0, play->now));
+  ASSERT_TRUE(play->instruct("take the mug"));
   play->silence(9.0);
   EXPECT_FALSE(play->report().finished);
   play->silence(1.5);
@@ -217,6 +218,26 @@ TEST_F(Outcomes, WorldStaleInMotionStopsTheRobot) {
   play->silence(2.2);
   EXPECT_EQ(play->port.cancels.size(), 1u);
   play->finish_action(Outcome::kCancelled);
+  expect_end(Outcome::kWorldStale, "world model");
+}
+
+TEST_F(Outcomes, WorldStaleWhenTheSimulatorStartsAgain) {
+  start_acting();
+  play->now = kSecond / 2;  // its clock begins anew
+  play->world_now(kStart);
+  EXPECT_EQ(play->port.cancels.size(), 1u);
+  play->finish_action(Outcome::kCancelled);
+  expect_end(Outcome::kWorldStale, "time jumped back");
+  ASSERT_TRUE(play->instruct("put the mug in the sink"));
+  EXPECT_EQ(play->report().stage, Stage::kInferring) << "the new world counts";
+}
+
+TEST_F(Outcomes, AWorldFromBeforeTheInstructionDoesNotCount) {
+  play.emplace();
+  play->world_now(kStart);
+  ASSERT_TRUE(play->coordinator.instruct("put the mug in the sink", 0, play->now));
+  EXPECT_EQ(play->report().stage, Stage::kWaiting);
+  play->silence(10.5);
   expect_end(Outcome::kWorldStale, "world model");
 }
 

@@ -82,7 +82,19 @@ struct Play {
 
   void world_now(const FactSet& now_holds) {
     world = now_holds;
+    seen = true;
     coordinator.on_world(WorldState{{"Counter_1", "Mug_1", "Robot", "Sink"}, world}, now, now);
+  }
+  // Asks, and lets the world be seen once more: what was seen before does not count.
+  Expected<std::uint64_t> instruct(const std::string& text) {
+    const auto id = coordinator.instruct(text, 0, now);
+    if (seen) pass(0.1);
+    return id;
+  }
+  Expected<std::uint64_t> pursue(const Goal& wanted) {
+    const auto id = coordinator.pursue(wanted, now);
+    if (seen) pass(0.1);
+    return id;
   }
   // Time passes with the world observed at 10 Hz.
   void pass(double seconds) {
@@ -123,6 +135,7 @@ struct Play {
   Coordinator coordinator;
   FactSet world;
   TimeNs now = kSecond;
+  bool seen = false;
 };
 
 inline const std::vector<Action> kMugToSink = {{"grasp", {"Mug_1"}}, {"keep-on", {"Mug_1", "Sink"}}};
