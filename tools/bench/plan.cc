@@ -53,7 +53,7 @@ json measure(const planner::Domain& domain, const std::vector<PlanQuestion>& que
     }
     if (!times.empty() && best > *std::max_element(times.begin(), times.end())) slowest = question.name;
     times.push_back(best);
-    with_facts.push_back(std::min(best_with_facts, 1e9));
+    if (best_with_facts < 1e300) with_facts.push_back(best_with_facts);
     if (!plan) {
       (plan.error().outcome == Outcome::kNoPlan ? without_plan : timed_out) += 1;
       continue;
