@@ -41,7 +41,7 @@ bool MessageType::serialize(void* data, Payload* payload) {
   const auto& out = *static_cast<const Outgoing*>(data);
   if (out.support == nullptr) {
     if (out.payload.size() > payload->max_size) return false;
-    std::memcpy(payload->data, out.payload.data(), out.payload.size());
+    if (!out.payload.empty()) std::memcpy(payload->data, out.payload.data(), out.payload.size());
     payload->length = static_cast<std::uint32_t>(out.payload.size());
     payload->encapsulation = out.payload.size() > 1 && out.payload[1] == 0 ? CDR_BE : CDR_LE;
     return true;

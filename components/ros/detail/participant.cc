@@ -68,16 +68,18 @@ void set_discovery(const ParticipantSettings& settings, dds::DomainParticipantQo
 // Peers without a port are tried on the ports of this many participants per host.
 constexpr std::uint32_t kPeersPerHost = 32;
 
+// UDP only, unless shared memory is asked for: a peer that is killed leaves its shared-memory port behind, and a new
+// one on that port is not heard for seconds, sometimes never (docs/design/020-udp-only.md).
 void set_transports(const ParticipantSettings& settings, dds::DomainParticipantQos& qos) {
-  if (settings.range == Range::kSystemDefault) return;
-  auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
   if (settings.range == Range::kLocalhost || !settings.static_peers.empty()) {
-    shared_memory->maxInitialPeersRange = kPeersPerHost;
     udp->maxInitialPeersRange = kPeersPerHost;
+    shared_memory->maxInitialPeersRange = kPeersPerHost;
   }
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports = {shared_memory, udp};
+  qos.transport().user_transports = {udp};
+  if (settings.shared_memory) qos.transport().user_transports.push_back(shared_memory);
 }
 
 }  // namespace

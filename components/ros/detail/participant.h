@@ -28,6 +28,7 @@ struct ParticipantSettings {
   Distro distro = Distro::kJazzy;
   enum class Range { kOff, kLocalhost, kSubnet, kSystemDefault } range = Range::kSubnet;
   bool process_only = false;
+  bool shared_memory = false;
   std::string static_peers;      // host;host
   std::string discovery_server;  // host:port;host:port
 };

@@ -74,6 +74,7 @@ Expected<ParticipantSettings> read_settings(const ContextOptions& options) {
   } else if (!localhost_only.empty() && localhost_only != "0") {
     return fail(Outcome::kInvalidRequest, "ROS_LOCALHOST_ONLY is '" + localhost_only + "'; it must be 0 or 1");
   }
+  settings.shared_memory = environment("GOALNET_SHARED_MEMORY") == "1";
   settings.static_peers = environment("ROS_STATIC_PEERS");
   settings.discovery_server = environment("ROS_DISCOVERY_SERVER");
   return settings;
