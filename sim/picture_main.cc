@@ -29,11 +29,17 @@ int main(int argc, char** argv) {
   std::vector<int> size = {800, 600};
   app.add_option("--scene", scene_name, "name in config/scenes or a file")->capture_default_str();
   app.add_option("--robot", robot_name, "name in config/robots or a file")->capture_default_str();
-  app.add_option("--seed", seed, "varies where objects stand; 0: exactly as the scene says")->capture_default_str();
+  app.add_option("--seed", seed, "varies where objects stand; 0: exactly as the scene says")
+      ->capture_default_str();
   app.add_option("-o,--output", file, "PNG file to write")->capture_default_str();
   app.add_option("--eye", eye, "x y z of the camera [m]")->expected(3)->capture_default_str();
-  app.add_option("--target", target, "x y z of the middle of the picture [m]")->expected(3)->capture_default_str();
-  app.add_option("--size", size, "width height [pixels]")->expected(2)->check(CLI::Range(1, 8192))->capture_default_str();
+  app.add_option("--target", target, "x y z of the middle of the picture [m]")
+      ->expected(3)
+      ->capture_default_str();
+  app.add_option("--size", size, "width height [pixels]")
+      ->expected(2)
+      ->check(CLI::Range(1, 8192))
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -53,7 +59,8 @@ int main(int argc, char** argv) {
   camera.vertical_view = 1.1;
   camera.width = size[0];
   camera.height = size[1];
-  if (auto written = sim::write_png(sim::render(**world, camera), file); !written) return refuse(written.error());
+  if (auto written = sim::write_png(sim::render(**world, camera), file); !written)
+    return refuse(written.error());
   std::fprintf(stderr, "goalnet-picture: wrote %s\n", file.c_str());
   return 0;
 }
