@@ -149,6 +149,12 @@ void ManipulationNode::perceive(const char* topic, const Message& message) {
 
 void ManipulationNode::on_executor_status(const goalnet_msgs::msg::ExecutorStatus& message) {
   executor_ = from_message(message);
+  // A trajectory refused because of the fault is answered in the same state with the refusal's outcome: not
+  // the cause.
+  const bool cause = executor_.outcome >= Outcome::kMotionFailed;
+  if (executor_.state == executor::ExecutorState::kFault && cause)
+    fault_ = {executor_.outcome, executor_.message};
+  if (executor_.state != executor::ExecutorState::kFault) fault_ = {};
   update();
 }
 
@@ -191,6 +197,7 @@ void ManipulationNode::start_waiting() {
 void ManipulationNode::update() {
   start_waiting();
   if (!current_) return;
+  if (executor_.state == executor::ExecutorState::kFault) return end_in_fault();
   const ActionRunner::Orders orders = runner_.update(perception_.view(node_.now().nanoseconds), executor_);
   if (orders.stop) {
     std_msgs::msg::String stop;
@@ -199,6 +206,18 @@ void ManipulationNode::update() {
   }
   if (orders.send) trajectory_->publish(to_message(*orders.send));
   report();
+}
+
+// The executor holds until a person resets it: no other way to carry out the action would help.
+void ManipulationNode::end_in_fault() {
+  runner_.cancel();
+  // The first call ends what is planned, the second what was moving.
+  for (int i = 0; i < 2 && runner_.running(); ++i) {
+    static_cast<void>(runner_.update(perception_.view(node_.now().nanoseconds), executor_));
+  }
+  const Error fault =
+      fault_.message.empty() ? Error{Outcome::kMotionFailed, "the executor is in fault; reset it"} : fault_;
+  publish_status(*std::exchange(current_, {}), true, fault);
 }
 
 void ManipulationNode::report() {

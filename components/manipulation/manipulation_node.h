@@ -45,6 +45,7 @@ class ManipulationNode : public ros::Component {
   void perceive(const char* topic, const Message& message);
   void update();
   void start_waiting();
+  void end_in_fault();
   void report();
   void publish_status(const goalnet_msgs::msg::ActionRequest& request, bool finished, const Error& result);
 
@@ -53,6 +54,7 @@ class ManipulationNode : public ros::Component {
   ActionRunner runner_;
   Perception perception_;
   executor::ExecutorStatus executor_;
+  Error fault_;  // why the executor is in its state FAULT
   std::atomic<bool> interrupted_{false};
 
   std::optional<goalnet_msgs::msg::ActionRequest> current_;  // runs
