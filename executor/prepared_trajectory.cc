@@ -43,9 +43,6 @@ Expected<std::vector<std::size_t>> find_joints(const std::vector<std::string>& n
 
 Expected<void> check_shape(const JointTrajectory& trajectory) {
   if (trajectory.points.empty()) return invalid("it has no points");
-  if (trajectory.points.size() > kMaxPoints)
-    return invalid("it has " + std::to_string(trajectory.points.size()) + " points; at most " +
-                   std::to_string(kMaxPoints) + " are taken");
   std::int64_t previous = -1;
   const std::size_t count = trajectory.joints.size();
   for (std::size_t k = 0; k < trajectory.points.size(); ++k) {
@@ -64,6 +61,19 @@ Expected<void> check_shape(const JointTrajectory& trajectory) {
   return {};
 }
 
+// A planner that has nothing to do for a moment may give the same point twice at the same time; that is
+// harmless.
+JointTrajectory without_repeated_points(const JointTrajectory& given) {
+  JointTrajectory trajectory{given.stamp_ns, given.joints, {}};
+  trajectory.points.reserve(given.points.size());
+  for (const TrajectoryPoint& point : given.points) {
+    const bool repeated = !trajectory.points.empty() && trajectory.points.back().time_ns == point.time_ns &&
+                          trajectory.points.back().position == point.position;
+    if (!repeated) trajectory.points.push_back(point);
+  }
+  return trajectory;
+}
+
 // Slopes for points without velocities: those of a monotone cubic (Fritsch and Carlson, 1980), which never
 // overshoots its points, so that positions within limits stay within limits.
 double monotone_slope(double left, double right) {
@@ -73,8 +83,12 @@ double monotone_slope(double left, double right) {
 
 }  // namespace
 
-Expected<std::unique_ptr<PreparedTrajectory>> PreparedTrajectory::prepare(const JointTrajectory& trajectory,
+Expected<std::unique_ptr<PreparedTrajectory>> PreparedTrajectory::prepare(const JointTrajectory& given,
                                                                           const ExecutorParams& params) {
+  if (given.points.size() > kMaxPoints)
+    return invalid("it has " + std::to_string(given.points.size()) + " points; at most " +
+                   std::to_string(kMaxPoints) + " are taken");
+  const JointTrajectory trajectory = without_repeated_points(given);
   auto joints = find_joints(trajectory.joints, params);
   if (!joints) return tl::unexpected(joints.error());
   if (auto shape = check_shape(trajectory); !shape) return tl::unexpected(shape.error());

@@ -15,7 +15,7 @@ namespace goalnet::executor {
 class PreparedTrajectory {
  public:
   // Fails with kInvalidRequest and the joint, the point and the numbers that are wrong.
-  static Expected<std::unique_ptr<PreparedTrajectory>> prepare(const JointTrajectory& trajectory,
+  static Expected<std::unique_ptr<PreparedTrajectory>> prepare(const JointTrajectory& given,
                                                                const ExecutorParams& params);
 
   struct Sample {

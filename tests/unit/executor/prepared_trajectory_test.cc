@@ -60,6 +60,17 @@ TEST(PreparedTrajectory, RefusesWithTheReason) {
   EXPECT_THAT(with([](auto& t) { t.points[2].velocity[0] = 0.5; }), HasSubstr("end at standstill"));
 }
 
+// A drive of no length: the same point twice at time 0.
+TEST(PreparedTrajectory, TakesRepeatedPoints) {
+  JointTrajectory trajectory = good();
+  trajectory.points.insert(trajectory.points.begin(), trajectory.points.front());
+  EXPECT_EQ(refusal(trajectory), "accepted");
+  trajectory.points.resize(2);
+  EXPECT_EQ(refusal(trajectory), "accepted");
+  trajectory.points[1].position[0] += 0.01;
+  EXPECT_THAT(refusal(trajectory), HasSubstr("not later"));
+}
+
 TEST(PreparedTrajectory, InterpolatesByCubics) {
   const auto prepared = PreparedTrajectory::prepare(good(), test::three_joints()).value();
   EXPECT_EQ(prepared->joint(0), 1u);
