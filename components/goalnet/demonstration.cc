@@ -27,9 +27,11 @@ Expected<const json*> array_at(const json& file, const std::string& name, const 
   return &*it;
 }
 
-Expected<std::vector<Predicate>> read_facts(const json& list, const std::string& name, const std::string& where) {
+Expected<std::vector<Predicate>> read_facts(const json& list, const std::string& name,
+                                            const std::string& where) {
   if (!list.is_array()) return bad(name, where + " should be an array of facts");
-  if (list.size() > kMaxFacts) return bad(name, where + " holds more than " + std::to_string(kMaxFacts) + " facts");
+  if (list.size() > kMaxFacts)
+    return bad(name, where + " holds more than " + std::to_string(kMaxFacts) + " facts");
   std::vector<Predicate> facts;
   facts.reserve(list.size());
   for (const json& item : list) {
@@ -80,10 +82,12 @@ Expected<Demonstration> from_json(const json& file, const std::string& name) {
   demonstration.perturbed = demonstration.scenario == "a";
   if (demonstration.perturbed) {
     const auto scenario = file.find("filename");
-    if (scenario != file.end() && scenario->is_string()) demonstration.scenario = scenario->get<std::string>();
+    if (scenario != file.end() && scenario->is_string())
+      demonstration.scenario = scenario->get<std::string>();
   }
   const auto sentence = file.find("sent");
-  if (sentence == file.end() || !sentence->is_string()) return bad(name, "the key 'sent' (a text) is missing");
+  if (sentence == file.end() || !sentence->is_string())
+    return bad(name, "the key 'sent' (a text) is missing");
   demonstration.sentence = sentence->get<std::string>();
 
   auto grounding = read_grounding(file, name);
@@ -93,9 +97,11 @@ Expected<Demonstration> from_json(const json& file, const std::string& name) {
   const auto states = array_at(file, name, "initial_states");
   if (!states) return tl::unexpected(states.error());
   if ((*states)->empty()) return bad(name, "'initial_states' is empty; at least the start state is needed");
-  if ((*states)->size() > kMaxStates) return bad(name, "'initial_states' holds more than " + std::to_string(kMaxStates));
+  if ((*states)->size() > kMaxStates)
+    return bad(name, "'initial_states' holds more than " + std::to_string(kMaxStates));
   for (const json& state : **states) {
-    auto facts = read_facts(state, name, "'initial_states[" + std::to_string(demonstration.states.size()) + "]'");
+    auto facts =
+        read_facts(state, name, "'initial_states[" + std::to_string(demonstration.states.size()) + "]'");
     if (!facts) return tl::unexpected(facts.error());
     WorldState world;
     world.facts = FactSet(std::move(*facts));
@@ -104,18 +110,21 @@ Expected<Demonstration> from_json(const json& file, const std::string& name) {
   }
   for (std::size_t i = 0; i + 1 < demonstration.states.size(); ++i) {
     const FactSet &before = demonstration.states[i].facts, &after = demonstration.states[i + 1].facts;
-    demonstration.steps.push_back(Goal{difference(after, before).values(), difference(before, after).values(), 1.0});
+    demonstration.steps.push_back(
+        Goal{difference(after, before).values(), difference(before, after).values(), 1.0});
   }
 
   const auto actions = array_at(file, name, "action_seq");
   if (!actions) return tl::unexpected(actions.error());
   for (const json& action : **actions) {
     if (!action.is_string()) return bad(name, "'action_seq' should hold texts like \"moveto Kettle\"");
-    if (action.get_ref<const std::string&>() != "noop") demonstration.actions.push_back(action.get<std::string>());
+    if (action.get_ref<const std::string&>() != "noop")
+      demonstration.actions.push_back(action.get<std::string>());
   }
   if (demonstration.actions.size() + 1 != demonstration.states.size())
     return bad(name, "has " + std::to_string(demonstration.states.size()) + " states for " +
-                         std::to_string(demonstration.actions.size()) + " actions; one more state than actions is needed");
+                         std::to_string(demonstration.actions.size()) +
+                         " actions; one more state than actions is needed");
   return demonstration;
 }
 
@@ -144,8 +153,8 @@ Expected<Demonstration> read_demonstration(const std::filesystem::path& path) {
 Expected<std::vector<Demonstration>> read_demonstrations(const std::filesystem::path& folder) {
   std::error_code code;
   std::vector<std::filesystem::path> paths;
-  for (auto it = std::filesystem::directory_iterator(folder, code); !code && it != std::filesystem::directory_iterator();
-       it.increment(code))
+  for (auto it = std::filesystem::directory_iterator(folder, code);
+       !code && it != std::filesystem::directory_iterator(); it.increment(code))
     if (it->path().extension() == ".json") paths.push_back(it->path());
   if (code) return bad(folder.string(), "cannot be read: " + code.message());
   if (paths.empty()) return bad(folder.string(), "holds no demonstrations (*.json)");

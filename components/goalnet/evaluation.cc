@@ -49,8 +49,8 @@ ModelRun run_model(GoalModel& model, const Demonstration& demonstration, const L
     states.push_back({world.objects, to_fact_set(now, symbols)});
   }
   run.final_state = states.back().facts;
-  run.scores = score_run(demonstration.states.front().facts, demonstration.states.back().facts, demonstration.actions,
-                         run.final_state, run.actions);
+  run.scores = score_run(demonstration.states.front().facts, demonstration.states.back().facts,
+                         demonstration.actions, run.final_state, run.actions);
   return run;
 }
 
@@ -85,7 +85,8 @@ Expected<Evaluation> evaluate(const ModelFactory& factory, const std::vector<Dem
   threads.clear();  // joins
   if (failure) return tl::unexpected(*failure);
   for (const ModelRun& run : evaluation.runs) evaluation.mean += run.scores;
-  if (!evaluation.runs.empty()) evaluation.mean = evaluation.mean / static_cast<double>(evaluation.runs.size());
+  if (!evaluation.runs.empty())
+    evaluation.mean = evaluation.mean / static_cast<double>(evaluation.runs.size());
   return evaluation;
 }
 

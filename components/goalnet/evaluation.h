@@ -1,5 +1,5 @@
-// The loop that the benchmark scores: predict, plan, apply, predict again, until nothing is predicted or the step
-// limit is met.
+// The loop that the benchmark scores: predict, plan, apply, predict again, until nothing is predicted or the
+// step limit is met.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@
 namespace goalnet::inference {
 
 struct EvaluationOptions {
-  bool grounding = true;      // pass the demonstrations' grounding to the model
-  std::size_t max_steps = 30; // predictions a run
+  bool grounding = true;       // pass the demonstrations' grounding to the model
+  std::size_t max_steps = 30;  // predictions a run
   std::size_t max_actions = 200;
   unsigned threads = 1;
   std::function<void(std::size_t done, std::size_t all)> progress;  // called from one thread at a time
@@ -32,7 +32,7 @@ struct ModelRun {
   std::vector<std::string> actions;  // in the demonstrations' spelling
   FactSet final_state;
   Scores scores;
-  std::string refusal;               // the model's message when it refused; the run then did nothing more
+  std::string refusal;  // the model's message when it refused; the run then did nothing more
 };
 
 struct Evaluation {
@@ -42,8 +42,8 @@ struct Evaluation {
 
 using ModelFactory = std::function<Expected<std::unique_ptr<GoalModel>>()>;  // one model for each thread
 
-// Runs and scores every demonstration given. The result does not depend on the number of threads. Fails only when
-// the factory does.
+// Runs and scores every demonstration given. The result does not depend on the number of threads. Fails only
+// when the factory does.
 Expected<Evaluation> evaluate(const ModelFactory& factory, const std::vector<Demonstration>& demonstrations,
                               const Lexicon& lexicon, const EvaluationOptions& options,
                               const FullPlanner& full_planner = {});

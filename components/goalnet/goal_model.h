@@ -45,12 +45,13 @@ class GoalModel {
   virtual Expected<Goal> do_infer(const StepInput& input) = 0;
 };
 
-// What a model is for. A robot gets whole purposes ("(On Mug_1 Sink)"), touches only what was spoken of, and asks rather
-// than guesses. The benchmark scores habits of people, action by action, and knows no refusal.
+// What a model is for. A robot gets whole purposes ("(On Mug_1 Sink)"), touches only what was spoken of, and
+// asks rather than guesses. The benchmark scores habits of people, action by action, and knows no refusal.
 enum class ModelUse { kRobot, kBenchmark };
 
 // Loads any model file of this project (safetensors; the metadata key "goalnet.kind" says which model it is).
 // Everything is checked; fails with kInvalidRequest and one message that names the file and what is wrong.
-Expected<std::unique_ptr<GoalModel>> load_model(const std::filesystem::path& path, ModelUse use = ModelUse::kRobot);
+Expected<std::unique_ptr<GoalModel>> load_model(const std::filesystem::path& path,
+                                                ModelUse use = ModelUse::kRobot);
 
 }  // namespace goalnet::inference

@@ -51,7 +51,8 @@ void offer_state(std::vector<SymAction>& list, const SymState& state, Symbol obj
   }
   if (value == kScoopsLeft) {
     for (const SymFact fact : state.facts())
-      if (relation_of(fact) == Relation::kState && object_of(fact) == kScoopsLeft && subject_of(fact) != object)
+      if (relation_of(fact) == Relation::kState && object_of(fact) == kScoopsLeft &&
+          subject_of(fact) != object)
         offer(Verb::kScoop, object, subject_of(fact));
     for (const SymFact fact : state.facts())
       if (is_held_vessel(fact)) offer(Verb::kAdd, kIceCreamScoop, object_of(fact));
@@ -70,17 +71,23 @@ void offer_for(std::vector<SymAction>& list, const SymState& state, SymFact fact
   const auto offer = [&](Verb verb, Symbol x, Symbol y = kNone) { list.push_back({verb, x, y}); };
   switch (relation_of(fact)) {
     case Relation::kNear:
-      if (!positive) offer(Verb::kGrasp, b), offer(Verb::kGrasp, a), offer(Verb::kMoveTo, a);
-      else if (a == kRobot) offer(Verb::kMoveTo, b);
-      else offer(Verb::kKeepNear, a, b);
+      if (!positive)
+        offer(Verb::kGrasp, b), offer(Verb::kGrasp, a), offer(Verb::kMoveTo, a);
+      else if (a == kRobot)
+        offer(Verb::kMoveTo, b);
+      else
+        offer(Verb::kKeepNear, a, b);
       return;
     case Relation::kOn:
-      if (positive) offer(Verb::kKeepOn, a, b);
-      else offer(Verb::kGrasp, a), offer(Verb::kGrasp, b);
+      if (positive)
+        offer(Verb::kKeepOn, a, b);
+      else
+        offer(Verb::kGrasp, a), offer(Verb::kGrasp, b);
       return;
     case Relation::kIn:
       if (!positive) return offer(Verb::kGrasp, a), offer(Verb::kGrasp, b);
-      offer(Verb::kKeepIn, a, b), offer(Verb::kInsert, a, b), offer(Verb::kAdd, a, b), offer(Verb::kPlace, a, b);
+      offer(Verb::kKeepIn, a, b), offer(Verb::kInsert, a, b), offer(Verb::kAdd, a, b),
+          offer(Verb::kPlace, a, b);
       return;
     case Relation::kGrasping:
       if (positive) return offer(Verb::kGrasp, b);

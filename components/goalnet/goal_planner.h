@@ -1,5 +1,6 @@
-// Goals to actions under the benchmark's rules, in microseconds: almost every predicted step needs one action.
-// What it cannot do (goals that need a real search) goes to a general planner that the caller may plug in.
+// Goals to actions under the benchmark's rules, in microseconds: almost every predicted step needs one
+// action. What it cannot do (goals that need a real search) goes to a general planner that the caller may
+// plug in.
 #pragma once
 
 #include <functional>
@@ -20,15 +21,16 @@ SymGoal to_sym_goal(const Goal& goal, Symbols& symbols);
 bool satisfied(const SymGoal& goal, const SymState& state);
 
 // A general planner: a plan for `goal` from `state`, or nothing when there is none.
-using FullPlanner = std::function<std::optional<std::vector<SymAction>>(const SymGoal& goal, const SymState& state)>;
+using FullPlanner =
+    std::function<std::optional<std::vector<SymAction>>(const SymGoal& goal, const SymState& state)>;
 
 class GoalPlanner {
  public:
   explicit GoalPlanner(FullPlanner full_planner = {}) : full_planner_(std::move(full_planner)) {}
 
-  // A plan of the fewest actions where one action, or the natural run to one action, reaches the goal; else what
-  // the full planner finds; else the predicates one after the other, as far as that works out. Empty when the goal
-  // holds already; nothing when no plan was found.
+  // A plan of the fewest actions where one action, or the natural run to one action, reaches the goal; else
+  // what the full planner finds; else the predicates one after the other, as far as that works out. Empty
+  // when the goal holds already; nothing when no plan was found.
   std::optional<std::vector<SymAction>> plan(const SymGoal& goal, const SymState& state) const;
 
  private:

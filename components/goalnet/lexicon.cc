@@ -37,8 +37,9 @@ void set_kinds(ObjectClass& c) {
 
 std::string singular(const std::string& word) {
   const auto ends = [&](std::string_view tail) { return word.size() > tail.size() && word.ends_with(tail); };
-  constexpr std::array<std::string_view, 14> kNoPlural = {"chips", "is",    "its",  "this", "has",    "glass", "dish",
-                                                          "dress", "us",    "yes",  "gas",  "tennis", "less",  "cs"};
+  constexpr std::array<std::string_view, 14> kNoPlural = {"chips", "is",     "its",   "this", "has",
+                                                          "glass", "dish",   "dress", "us",   "yes",
+                                                          "gas",   "tennis", "less",  "cs"};
   if (word == "chips") return "chip";
   if (contains(kNoPlural, word) || word.size() < 4) return word == "cds" ? "cd" : word;
   if (word == "shelves") return "shelf";
@@ -87,16 +88,20 @@ Expected<Lexicon> Lexicon::parse(std::string_view text, const std::string& name,
     const json file = json::parse(text);
     for (const auto& [class_name, entry] : file.at("classes").items()) {
       if (lexicon.classes_.size() >= kMaxClasses)
-        return fail(Outcome::kInvalidRequest, name + ": more than " + std::to_string(kMaxClasses) + " classes");
+        return fail(Outcome::kInvalidRequest,
+                    name + ": more than " + std::to_string(kMaxClasses) + " classes");
       const ClassId id = static_cast<ClassId>(lexicon.classes_.size());
-      ObjectClass object_class{.name = class_name, .kinds = entry.at("kinds").get<std::vector<std::string>>()};
+      ObjectClass object_class{.name = class_name,
+                               .kinds = entry.at("kinds").get<std::vector<std::string>>()};
       set_kinds(object_class);
       lexicon.classes_.push_back(std::move(object_class));
       lexicon.class_by_name_[class_name] = id;
       for (const auto& object : entry.at("objects"))
         lexicon.class_of_[symbols.intern(object.get_ref<const std::string&>())] = id;
-      for (const auto& phrase : entry.at("names")) lexicon.add_phrase(phrase.get_ref<const std::string&>(), id, true);
-      for (const auto& phrase : entry.at("also")) lexicon.add_phrase(phrase.get_ref<const std::string&>(), id, false);
+      for (const auto& phrase : entry.at("names"))
+        lexicon.add_phrase(phrase.get_ref<const std::string&>(), id, true);
+      for (const auto& phrase : entry.at("also"))
+        lexicon.add_phrase(phrase.get_ref<const std::string&>(), id, false);
     }
     for (const auto& [object, phrases] : file.at("objects").items())
       for (const auto& item : phrases) {

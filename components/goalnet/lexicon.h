@@ -17,13 +17,19 @@ namespace goalnet::inference {
 using ClassId = std::uint16_t;
 
 struct ObjectClass {
-  std::string name;                 // "long_cup"
+  std::string name;                  // "long_cup"
   std::vector<std::string> kinds{};  // movable, vessel, place, device, ...
-  bool movable = false, vessel = false, place = false, food = false, drink = false, dish = false, utensil = false;
+  bool movable = false, vessel = false, place = false, food = false, drink = false, dish = false,
+       utensil = false;
 };
 
 // How well a phrase names an object.
-enum class NameLevel : std::uint8_t { kNone, kGeneric, kName, kOwnName };  // "dish", "plate", "chocolate syrup"
+enum class NameLevel : std::uint8_t {
+  kNone,
+  kGeneric,
+  kName,
+  kOwnName
+};  // "dish", "plate", "chocolate syrup"
 
 class Lexicon {
  public:
@@ -31,8 +37,8 @@ class Lexicon {
   static Expected<Lexicon> parse(std::string_view json, const std::string& name, Symbols& symbols);
   static Expected<Lexicon> load(const std::filesystem::path& path, Symbols& symbols);
 
-  // The class of an object. Objects the lexicon does not list get a class from their name ("Bottle_2" -> "bottle"),
-  // added here, so that people can still name them.
+  // The class of an object. Objects the lexicon does not list get a class from their name ("Bottle_2" ->
+  // "bottle"), added here, so that people can still name them.
   ClassId class_of(Symbol object, const Symbols& symbols);
   const ObjectClass& object_class(ClassId id) const { return classes_[id]; }
   std::size_t classes() const { return classes_.size(); }

@@ -13,7 +13,8 @@ Expected<std::unique_ptr<GoalModel>> load_model(const std::filesystem::path& pat
   if (!kind) return tl::unexpected(kind.error());
   if (*kind == "network") return make_network_model(*file);
   if (*kind != "ranker")
-    return fail(Outcome::kInvalidRequest, path.string() + ": unknown kind of model \"" + *kind + "\"; known: ranker, network");
+    return fail(Outcome::kInvalidRequest,
+                path.string() + ": unknown kind of model \"" + *kind + "\"; known: ranker, network");
   auto parts = read_ranker(*file);
   if (!parts) return tl::unexpected(parts.error());
   return std::make_unique<RankerModel>(std::move(*parts), use);

@@ -23,7 +23,8 @@ std::set<std::string> scored_facts(const FactSet& facts) {
 
 std::set<std::string> minus(const std::set<std::string>& left, const std::set<std::string>& right) {
   std::set<std::string> result;
-  std::set_difference(left.begin(), left.end(), right.begin(), right.end(), std::inserter(result, result.end()));
+  std::set_difference(left.begin(), left.end(), right.begin(), right.end(),
+                      std::inserter(result, result.end()));
   return result;
 }
 
@@ -94,8 +95,9 @@ double edit_similarity(std::span<const std::string> left, std::span<const std::s
   return 1.0 - static_cast<double>(row.back()) / static_cast<double>(std::max(left.size(), right.size()));
 }
 
-Scores score_run(const FactSet& start, const FactSet& demonstrated_end, std::span<const std::string> demonstrated,
-                 const FactSet& run_end, std::span<const std::string> run) {
+Scores score_run(const FactSet& start, const FactSet& demonstrated_end,
+                 std::span<const std::string> demonstrated, const FactSet& run_end,
+                 std::span<const std::string> run) {
   const auto before = scored_facts(start), goal = scored_facts(demonstrated_end), end = scored_facts(run_end);
   const auto want_added = minus(goal, before), want_removed = minus(before, goal);
   const auto got_added = minus(end, before), got_removed = minus(before, end);

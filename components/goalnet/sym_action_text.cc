@@ -8,9 +8,9 @@
 namespace goalnet::inference {
 namespace {
 
-constexpr std::array<const char*, kVerbs> kNames = {"noop",  "moveto", "grasp", "release", "press", "turn",
-                                                    "open",  "close",  "keep",  "keep",    "keep",  "pour",
-                                                    "pour",  "add",    "squeeze", "scoop", "place", "insert"};
+constexpr std::array<const char*, kVerbs> kNames = {
+    "noop", "moveto", "grasp", "release", "press", "turn",    "open",  "close", "keep",
+    "keep", "keep",   "pour",  "pour",    "add",   "squeeze", "scoop", "place", "insert"};
 
 std::string lower(std::string text) {
   for (char& c : text)

@@ -9,8 +9,8 @@ namespace {
 
 using namespace symbol;
 
-constexpr std::array<Symbol, 11> kContents = {kWater,      kCoffee,  kCoke, kEnergyDrink, kIceCream, kChocolate,
-                                              kCanadaDry, kVanilla, kSalt, kRamen,       kEgg};
+constexpr std::array<Symbol, 11> kContents = {
+    kWater, kCoffee, kCoke, kEnergyDrink, kIceCream, kChocolate, kCanadaDry, kVanilla, kSalt, kRamen, kEgg};
 constexpr std::size_t kPoured = 9;  // pouring carries the first nine; ramen and egg stay behind
 
 void toggle(SymState& state, SymFact fact) { state.has(fact) ? state.remove(fact) : state.add(fact); }
@@ -40,9 +40,8 @@ void press(Symbol button, SymState& state) {
     case kFridgeButton:
       toggle(state, sym_fact(Relation::kState, kFridge, kWaterDispenserIsOpen));
       if (state.is(kFridge, kWaterDispenserIsOpen))
-        for_each(state, Relation::kGrasping, [&](Symbol, Symbol held) {
-          state.add(sym_fact(Relation::kState, held, kWater));
-        });
+        for_each(state, Relation::kGrasping,
+                 [&](Symbol, Symbol held) { state.add(sym_fact(Relation::kState, held, kWater)); });
       return;
     case kTv_1PowerButton:
     case kTv_1Remote_1PowerButton:
@@ -87,11 +86,16 @@ void turn(Symbol knob, SymState& state) {
 // The door state that opening `door` sets.
 std::optional<SymFact> door_fact(Symbol door) {
   switch (door) {
-    case kMicrowave: return sym_fact(Relation::kState, kMicrowave, kDoorIsOpen);
-    case kFridgeLeftDoor: return sym_fact(Relation::kState, kFridge, kLeftDoorIsOpen);
-    case kFridgeRightDoor: return sym_fact(Relation::kState, kFridge, kRightDoorIsOpen);
-    case kBagOfChips_1: return sym_fact(Relation::kState, kBagOfChips_1, kIsOpen);
-    default: return std::nullopt;
+    case kMicrowave:
+      return sym_fact(Relation::kState, kMicrowave, kDoorIsOpen);
+    case kFridgeLeftDoor:
+      return sym_fact(Relation::kState, kFridge, kLeftDoorIsOpen);
+    case kFridgeRightDoor:
+      return sym_fact(Relation::kState, kFridge, kRightDoorIsOpen);
+    case kBagOfChips_1:
+      return sym_fact(Relation::kState, kBagOfChips_1, kIsOpen);
+    default:
+      return std::nullopt;
   }
 }
 
@@ -100,27 +104,36 @@ struct Needs {
   bool possible = true;
   std::array<Symbol, 2> held = {kNone, kNone};
   Symbol near = kNone;
-  Symbol open = kNone;                  // a door, as open() names it
+  Symbol open = kNone;  // a door, as open() names it
   std::optional<SymFact> true_fact, false_fact;
 };
 
 Needs needs_of_press(Symbol button) {
   Needs needs;
   switch (button) {
-    case kMicrowaveButton: needs.near = kMicrowave; break;
-    case kFridgeButton: needs.near = kFridge; break;
+    case kMicrowaveButton:
+      needs.near = kMicrowave;
+      break;
+    case kFridgeButton:
+      needs.near = kFridge;
+      break;
     case kTv_1PowerButton:
     case kTv_1ChannelUpButton:
     case kTv_1ChannelDownButton:
     case kTv_1VolumeUpButton:
     case kTv_1VolumeDownButton:
-    case kTv_1Remote_1MuteButton: needs.near = kTv_1; break;
+    case kTv_1Remote_1MuteButton:
+      needs.near = kTv_1;
+      break;
     case kTv_1Remote_1PowerButton:
     case kTv_1Remote_1ChannelUpButton:
     case kTv_1Remote_1ChannelDownButton:
     case kTv_1Remote_1VolumeUpButton:
-    case kTv_1Remote_1VolumeDownButton: needs.held[0] = kTv_1Remote_1; break;
-    default: needs.possible = false;
+    case kTv_1Remote_1VolumeDownButton:
+      needs.held[0] = kTv_1Remote_1;
+      break;
+    default:
+      needs.possible = false;
   }
   return needs;
 }

@@ -1,5 +1,6 @@
-// SymSim: the rules of the benchmark domain (design/benchmark.pddl's rules, oddities included) on packed states.
-// Thousands of times faster than a general planner; a test compares it with config/domains/benchmark.pddl.
+// SymSim: the rules of the benchmark domain (design/benchmark.pddl's rules, oddities included) on packed
+// states. Thousands of times faster than a general planner; a test compares it with
+// config/domains/benchmark.pddl.
 #pragma once
 
 #include <compare>
@@ -24,7 +25,7 @@ enum class Verb : std::uint8_t {
   kKeepOn,
   kKeepIn,
   kKeepNear,
-  kPour,      // away
+  kPour,  // away
   kPourInto,
   kAdd,
   kSqueeze,
@@ -48,12 +49,13 @@ void apply(const SymAction& action, SymState& state);
 
 // As the demonstrations spell actions: "keep Mug_1 On Sink", "turn SinkKnob".
 std::string to_string(const SymAction& action, const Symbols& symbols);
-// The inverse; kInvalidRequest for an unknown verb. A malformed "keep X Y Z" reads as "release X" (domain.md).
+// The inverse; kInvalidRequest for an unknown verb. A malformed "keep X Y Z" reads as "release X"
+// (domain.md).
 Expected<SymAction> parse_action(std::string_view text, Symbols& symbols);
 
-// The shortest run of actions, in the natural order (go there, take it, go on), that ends with `action`: go to what
-// must be near, grasp what must be held, open what must be open, and do it. Empty when nothing leads there (for
-// example grasping what is held, or what cannot be grasped).
+// The shortest run of actions, in the natural order (go there, take it, go on), that ends with `action`: go
+// to what must be near, grasp what must be held, open what must be open, and do it. Empty when nothing leads
+// there (for example grasping what is held, or what cannot be grasped).
 std::vector<SymAction> with_means(const SymAction& action, const SymState& state);
 
 }  // namespace goalnet::inference

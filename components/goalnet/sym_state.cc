@@ -6,7 +6,8 @@
 namespace goalnet::inference {
 namespace {
 
-constexpr const char* kRelations[] = {"Near", "On", "In", "Grasping", "state", "IsGraspable", "IsSqueezeable"};
+constexpr const char* kRelations[] = {"Near",  "On",          "In",           "Grasping",
+                                      "state", "IsGraspable", "IsSqueezeable"};
 
 }  // namespace
 
@@ -31,7 +32,8 @@ SymState to_sym_state(const FactSet& facts, Symbols& symbols) {
     const Symbol subject = symbols.intern(fact.subject);
     const Symbol object = fact.object.empty() ? Symbol{symbol::kNone} : symbols.intern(fact.object);
     if (subject == symbol::kNone || (object == symbol::kNone && !fact.object.empty())) continue;
-    state.facts_.push_back(sym_fact(static_cast<Relation>(relation - std::begin(kRelations)), subject, object));
+    state.facts_.push_back(
+        sym_fact(static_cast<Relation>(relation - std::begin(kRelations)), subject, object));
   }
   std::sort(state.facts_.begin(), state.facts_.end());
   state.facts_.erase(std::unique(state.facts_.begin(), state.facts_.end()), state.facts_.end());

@@ -50,7 +50,8 @@ SymState to_sym_state(const FactSet& facts, Symbols& symbols);
 Predicate to_predicate(SymFact fact, const Symbols& symbols);
 FactSet to_fact_set(const SymState& state, const Symbols& symbols);
 
-// What `after` has and `before` lacks, and the other way round. Properties (IsGraspable, ...) count for nothing.
+// What `after` has and `before` lacks, and the other way round. Properties (IsGraspable, ...) count for
+// nothing.
 struct SymDelta {
   std::vector<SymFact> added, removed;  // sorted
   bool empty() const { return added.empty() && removed.empty(); }

@@ -11,7 +11,8 @@ bool is_word_byte(unsigned char c) {
 
 bool is_digit(unsigned char c) { return c >= '0' && c <= '9'; }
 
-// Length of the valid UTF-8 sequence at `at`, or 0. Overlong forms, surrogates and values past U+10FFFF are invalid.
+// Length of the valid UTF-8 sequence at `at`, or 0. Overlong forms, surrogates and values past U+10FFFF are
+// invalid.
 std::size_t utf8_length(std::string_view text, std::size_t at, std::uint32_t* code) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(at);
@@ -29,7 +30,8 @@ std::size_t utf8_length(std::string_view text, std::size_t at, std::uint32_t* co
 }
 
 bool is_separator(std::uint32_t code) {
-  return (code >= 0x2000 && code <= 0x206f) || code == 0xa0 || (code >= 0x3000 && code <= 0x3002) || code == 0xfeff;
+  return (code >= 0x2000 && code <= 0x206f) || code == 0xa0 || (code >= 0x3000 && code <= 0x3002) ||
+         code == 0xfeff;
 }
 
 }  // namespace
@@ -37,7 +39,8 @@ bool is_separator(std::uint32_t code) {
 Expected<std::vector<std::string>> tokenize(std::string_view sentence) {
   if (sentence.size() > kMaxSentenceBytes)
     return fail(Outcome::kInvalidRequest, "the instruction has " + std::to_string(sentence.size()) +
-                                              " bytes; at most " + std::to_string(kMaxSentenceBytes) + " are read");
+                                              " bytes; at most " + std::to_string(kMaxSentenceBytes) +
+                                              " are read");
   std::vector<std::string> words;
   std::string word;
   const auto finish = [&] {
@@ -59,8 +62,9 @@ Expected<std::vector<std::string>> tokenize(std::string_view sentence) {
     if (apostrophe && !word.empty()) {
       // "cd's" -> "cd"; "don't" -> "dont"
       const std::size_t after = i + length;
-      const bool possessive = after < sentence.size() && (sentence[after] | 0x20) == 's' &&
-                              (after + 1 == sentence.size() || !is_word_byte(static_cast<unsigned char>(sentence[after + 1])));
+      const bool possessive =
+          after < sentence.size() && (sentence[after] | 0x20) == 's' &&
+          (after + 1 == sentence.size() || !is_word_byte(static_cast<unsigned char>(sentence[after + 1])));
       if (possessive) {
         finish();
         i = after + 1;

@@ -41,7 +41,8 @@ int eval_command(int argc, char** argv) {
   bool json = false, physics = false, perturbed = false;
   app.add_option("DIR", folder, "folder of demonstrations (*.json)")->required();
   app.add_option("--model", model, "model file")->capture_default_str();
-  app.add_option("--grounding", grounding, "given: pass the demonstrations' grounding; none: sentence and state only")
+  app.add_option("--grounding", grounding,
+                 "given: pass the demonstrations' grounding; none: sentence and state only")
       ->check(CLI::IsMember({"given", "none"}))
       ->capture_default_str();
   app.add_option("--runs", runs, "write every run to this file, one JSON object a line (for score.py)");
@@ -55,12 +56,14 @@ int eval_command(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
   }
   if (physics)
-    return report({Outcome::kInvalidRequest, "--physics is not available; use goalnet run for single instructions"});
+    return report(
+        {Outcome::kInvalidRequest, "--physics is not available; use goalnet run for single instructions"});
 
   auto demonstrations = read_demonstrations(folder);
   if (!demonstrations) return report(demonstrations.error());
   if (!perturbed) std::erase_if(*demonstrations, [](const Demonstration& d) { return d.perturbed; });
-  if (demonstrations->empty()) return report({Outcome::kInvalidRequest, folder + ": holds only perturbed demonstrations"});
+  if (demonstrations->empty())
+    return report({Outcome::kInvalidRequest, folder + ": holds only perturbed demonstrations"});
   Symbols symbols;
   const auto lexicon = Lexicon::load(config_path("language/household.json"), symbols);
   if (!lexicon) return report(lexicon.error());
@@ -70,9 +73,12 @@ int eval_command(int argc, char** argv) {
   options.threads = threads;
   const bool show = !json && isatty(STDERR_FILENO) != 0;
   if (show)
-    options.progress = [](std::size_t done, std::size_t all) { std::fprintf(stderr, "\r%zu of %zu", done, all); };
+    options.progress = [](std::size_t done, std::size_t all) {
+      std::fprintf(stderr, "\r%zu of %zu", done, all);
+    };
   const auto begin = std::chrono::steady_clock::now();
-  const auto evaluation = evaluate([&] { return load_model(model, ModelUse::kBenchmark); }, *demonstrations, *lexicon, options);
+  const auto evaluation =
+      evaluate([&] { return load_model(model, ModelUse::kBenchmark); }, *demonstrations, *lexicon, options);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (show) std::fprintf(stderr, "\n");
   if (!evaluation) return report(evaluation.error());
@@ -91,9 +97,11 @@ int eval_command(int argc, char** argv) {
     std::printf("%s\n", object.dump().c_str());
   } else {
     const Scores& s = evaluation->mean;
-    std::printf("%zu demonstrations, grounding %s, %.1f s\n", evaluation->runs.size(), grounding.c_str(), seconds);
-    std::printf("SJI %.3f  IED %.3f  F1 %.3f  GRR %.3f   (grr_formula %.3f, exact %.3f, ied_canonical %.3f)\n", s.sji,
-                s.ied, s.f1, s.grr, s.grr_formula, s.exact, s.ied_canonical);
+    std::printf("%zu demonstrations, grounding %s, %.1f s\n", evaluation->runs.size(), grounding.c_str(),
+                seconds);
+    std::printf(
+        "SJI %.3f  IED %.3f  F1 %.3f  GRR %.3f   (grr_formula %.3f, exact %.3f, ied_canonical %.3f)\n", s.sji,
+        s.ied, s.f1, s.grr, s.grr_formula, s.exact, s.ied_canonical);
     if (refused > 0) std::printf("%zu refused\n", refused);
   }
   return 0;

@@ -24,14 +24,17 @@ int report(const Error& error) {
 }
 
 Expected<WorldState> read_world(const std::string& path) {
-  const auto bad = [&](const std::string& what) { return fail(Outcome::kInvalidRequest, path + ": " + what); };
+  const auto bad = [&](const std::string& what) {
+    return fail(Outcome::kInvalidRequest, path + ": " + what);
+  };
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   if (!file) return bad("cannot be read");
   try {
     const json object = json::parse(text.str());
-    if (!object.is_object() || !object.contains("facts")) return bad("should be {\"objects\": [...], \"facts\": [...]}");
+    if (!object.is_object() || !object.contains("facts"))
+      return bad("should be {\"objects\": [...], \"facts\": [...]}");
     std::vector<Predicate> facts;
     std::set<std::string> objects;
     for (const json& item : object.at("facts")) {
@@ -62,7 +65,9 @@ int infer_command(int argc, char** argv) {
   std::string state, instruction, model_file = config_path("models/goalnet.safetensors");
   std::size_t steps = 30;
   bool as_json = false;
-  app.add_option("STATE.json", state, "the world: {\"objects\": [...], \"facts\": [\"(On Mug_1 Sink)\", ...]}")->required();
+  app.add_option("STATE.json", state,
+                 "the world: {\"objects\": [...], \"facts\": [\"(On Mug_1 Sink)\", ...]}")
+      ->required();
   app.add_option("INSTRUCTION", instruction, "what to do, in plain English")->required();
   app.add_option("--model", model_file, "model file")->capture_default_str();
   app.add_option("--steps", steps, "at most so many steps")->check(CLI::Range(1, 30))->capture_default_str();
@@ -85,7 +90,8 @@ int infer_command(int argc, char** argv) {
   Error problem{Outcome::kDone, ""};
   SymState now = to_sym_state(world->facts, symbols);
   while (goals.size() < steps) {
-    const auto goal = (*model)->infer({.sentence = instruction, .grounding = nullptr, .states = states, .goals = goals});
+    const auto goal =
+        (*model)->infer({.sentence = instruction, .grounding = nullptr, .states = states, .goals = goals});
     if (!goal) {
       problem = goal.error();
       break;
@@ -98,21 +104,32 @@ int infer_command(int argc, char** argv) {
         apply(action, now);
         actions.push_back(to_string(action, symbols));
       }
-    list.push_back({{"positive", texts(goal->positive)}, {"negative", texts(goal->negative)}, {"confidence", goal->confidence}, {"actions", actions}});
+    list.push_back({{"positive", texts(goal->positive)},
+                    {"negative", texts(goal->negative)},
+                    {"confidence", goal->confidence},
+                    {"actions", actions}});
     goals.push_back(*goal);
     states.push_back({world->objects, to_fact_set(now, symbols)});
   }
   if (as_json) {
-    std::printf("%s\n", json{{"instruction", instruction}, {"model", (*model)->kind()}, {"outcome", to_string(problem.outcome)},
-                             {"message", problem.message}, {"steps", list}}.dump().c_str());
+    std::printf("%s\n", json{{"instruction", instruction},
+                             {"model", (*model)->kind()},
+                             {"outcome", to_string(problem.outcome)},
+                             {"message", problem.message},
+                             {"steps", list}}
+                            .dump()
+                            .c_str());
   } else {
     for (std::size_t i = 0; i < list.size(); ++i) {
       std::printf("%zu.", i + 1);
-      for (const json& fact : list[i]["positive"]) std::printf(" %s", fact.get_ref<const std::string&>().c_str());
-      for (const json& fact : list[i]["negative"]) std::printf(" not %s", fact.get_ref<const std::string&>().c_str());
+      for (const json& fact : list[i]["positive"])
+        std::printf(" %s", fact.get_ref<const std::string&>().c_str());
+      for (const json& fact : list[i]["negative"])
+        std::printf(" not %s", fact.get_ref<const std::string&>().c_str());
       std::printf("   confidence %.2f\n", list[i]["confidence"].get<double>());
     }
-    if (problem.outcome == Outcome::kDone) std::printf(list.empty() ? "Nothing is left to do.\n" : "Then nothing is left to do.\n");
+    if (problem.outcome == Outcome::kDone)
+      std::printf(list.empty() ? "Nothing is left to do.\n" : "Then nothing is left to do.\n");
   }
   if (problem.outcome != Outcome::kDone) return report(problem);
   return 0;

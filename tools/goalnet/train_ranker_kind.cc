@@ -20,15 +20,22 @@ bool parse_number(const std::string& text, Number& value) {
 
 Expected<void> apply_setting(const std::string& name, const std::string& value, TrainingOptions& options) {
   bool good = true;
-  if (name == "epochs") good = parse_number(value, options.ranker.training.epochs) && options.ranker.training.epochs > 0;
-  else if (name == "rate") good = parse_number(value, options.ranker.training.rate);
-  else if (name == "samples") good = parse_number(value, options.ranker.samples) && options.ranker.samples <= 10000;
-  else if (name == "neighbours") good = parse_number(value, options.ranker.neighbours) && options.ranker.neighbours <= 1000;
-  else if (name == "replays") good = parse_number(value, options.ranker.replays) && options.ranker.replays <= 1000;
-  else if (name == "rerank") options.rerank = value != "0";
+  if (name == "epochs")
+    good = parse_number(value, options.ranker.training.epochs) && options.ranker.training.epochs > 0;
+  else if (name == "rate")
+    good = parse_number(value, options.ranker.training.rate);
+  else if (name == "samples")
+    good = parse_number(value, options.ranker.samples) && options.ranker.samples <= 10000;
+  else if (name == "neighbours")
+    good = parse_number(value, options.ranker.neighbours) && options.ranker.neighbours <= 1000;
+  else if (name == "replays")
+    good = parse_number(value, options.ranker.replays) && options.ranker.replays <= 1000;
+  else if (name == "rerank")
+    options.rerank = value != "0";
   else
-    return fail(Outcome::kInvalidRequest, "the ranker has no setting \"" + name +
-                                              "\"; it has epochs, rate, samples, neighbours, replays, rerank");
+    return fail(Outcome::kInvalidRequest,
+                "the ranker has no setting \"" + name +
+                    "\"; it has epochs, rate, samples, neighbours, replays, rerank");
   if (!good) return fail(Outcome::kInvalidRequest, "--set " + name + "=" + value + " is no value for it");
   return {};
 }

@@ -14,18 +14,34 @@ bool one_of(const std::string& word, const std::array<std::string_view, N>& word
 }
 
 constexpr std::array kInside = {"in"sv, "into"sv, "inside"sv};
-constexpr std::array kTo = {"on"sv, "onto"sv, "to"sv, "at"sv, "over"sv, "under"sv, "underneath"sv, "below"sv,
-                            "near"sv, "by"sv, "beside"sv, "upon"sv, "towards"sv, "toward"sv};
+constexpr std::array kTo = {"on"sv,    "onto"sv, "to"sv, "at"sv,     "over"sv, "under"sv,   "underneath"sv,
+                            "below"sv, "near"sv, "by"sv, "beside"sv, "upon"sv, "towards"sv, "toward"sv};
 constexpr std::array kParticles = {"on"sv, "off"sv, "up"sv, "down"sv, "out"sv, "away"sv, "over"sv, "in"sv};
 constexpr std::array kPronouns = {"it"sv, "them"sv, "they"sv, "those"sv, "these"sv};
 constexpr std::array kJoins = {"and"sv, ","sv, "then"sv, "or"sv};
 constexpr std::array kAll = {"all"sv, "every"sv, "each"sv, "everything"sv};
-constexpr std::array<std::pair<std::string_view, int>, 12> kNumbers = {{{"one", 1}, {"two", 2}, {"three", 3},
-    {"four", 4}, {"five", 5}, {"1", 1}, {"2", 2}, {"3", 3}, {"4", 4}, {"5", 5}, {"both", 2}, {"couple", 2}}};
-constexpr std::array<std::pair<std::string_view, int>, 8> kOrdinals = {{{"first", 1}, {"second", 2}, {"third", 3},
-    {"fourth", 4}, {"1st", 1}, {"2nd", 2}, {"3rd", 3}, {"4th", 4}}};
-constexpr std::array kAdjectives = {"empty"sv, "full"sv, "left"sv, "right"sv, "nearest"sv, "closest"sv, "near"sv,
-                                    "other"sv, "hot"sv, "clean"sv, "dirty"sv};
+constexpr std::array<std::pair<std::string_view, int>, 12> kNumbers = {{{"one", 1},
+                                                                        {"two", 2},
+                                                                        {"three", 3},
+                                                                        {"four", 4},
+                                                                        {"five", 5},
+                                                                        {"1", 1},
+                                                                        {"2", 2},
+                                                                        {"3", 3},
+                                                                        {"4", 4},
+                                                                        {"5", 5},
+                                                                        {"both", 2},
+                                                                        {"couple", 2}}};
+constexpr std::array<std::pair<std::string_view, int>, 8> kOrdinals = {{{"first", 1},
+                                                                        {"second", 2},
+                                                                        {"third", 3},
+                                                                        {"fourth", 4},
+                                                                        {"1st", 1},
+                                                                        {"2nd", 2},
+                                                                        {"3rd", 3},
+                                                                        {"4th", 4}}};
+constexpr std::array kAdjectives = {"empty"sv, "full"sv,  "left"sv, "right"sv, "nearest"sv, "closest"sv,
+                                    "near"sv,  "other"sv, "hot"sv,  "clean"sv, "dirty"sv};
 
 template <std::size_t N>
 int number_of(const std::string& word, const std::array<std::pair<std::string_view, int>, N>& table) {
@@ -57,7 +73,8 @@ class Parser {
         continue;
       }
       const Frame frame = language_.verb(word);
-      const bool noun_here = mention != nullptr && !(fresh && !joined_ && frame != Frame::kNone && mention_at(i + 1));
+      const bool noun_here =
+          mention != nullptr && !(fresh && !joined_ && frame != Frame::kNone && mention_at(i + 1));
       if (fresh && frame != Frame::kNone && !noun_here) {
         open_clause(frame, word);
         fresh = false;
@@ -84,7 +101,8 @@ class Parser {
   }
 
   void open_clause(Frame frame, const std::string& verb) {
-    result_.clauses.push_back(Clause{.frame = frame, .verb = verb, .phrases = {}, .particles = {}, .unknown = {}, .words = {verb}});
+    result_.clauses.push_back(
+        Clause{.frame = frame, .verb = verb, .phrases = {}, .particles = {}, .unknown = {}, .words = {verb}});
     current_ = &result_.clauses.back();
     role_ = Role::kDirect;
     pending_ = {};
@@ -109,7 +127,8 @@ class Parser {
     for (std::size_t k = i + 1; k < words_.size(); ++k) {
       if (mention_at(k) != nullptr || one_of(words_[k], kPronouns)) return true;
       if (words_[k] == "." || one_of(words_[k], kJoins)) return false;
-      if (one_of(words_[k], kTo) || one_of(words_[k], kInside) || words_[k] == "from" || words_[k] == "with") return false;
+      if (one_of(words_[k], kTo) || one_of(words_[k], kInside) || words_[k] == "from" || words_[k] == "with")
+        return false;
       if (!language_.known(words_[k])) return true;  // an unknown thing
     }
     return false;
@@ -146,7 +165,8 @@ class Parser {
       return i + 1;
     }
     const bool turning = current_->frame == Frame::kTurn;
-    if (one_of(word, kParticles) && (turning || !noun_follows(i) || word == "up" || word == "down" || word == "away")) {
+    if (one_of(word, kParticles) &&
+        (turning || !noun_follows(i) || word == "up" || word == "down" || word == "away")) {
       current_->particles.push_back(word);
       return i + 1;
     }
@@ -195,7 +215,9 @@ class Parser {
 
 }  // namespace
 
-bool Clause::has(const std::string& word) const { return std::find(words.begin(), words.end(), word) != words.end(); }
+bool Clause::has(const std::string& word) const {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 bool Clause::has_particle(const std::string& word) const {
   return std::find(particles.begin(), particles.end(), word) != particles.end();

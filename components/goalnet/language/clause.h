@@ -14,15 +14,15 @@ enum class Role : std::uint8_t { kDirect, kDestination, kSource, kWith };
 // "both empty cups", "it", "the shelf pillow".
 struct NounPhrase {
   Role role = Role::kDirect;
-  std::string phrase;        // normal form; empty for a pronoun
+  std::string phrase;  // normal form; empty for a pronoun
   bool pronoun = false;
   bool plural = false;
-  bool all = false;          // all, every, each
-  int count = 0;             // "two", "both"; 0 when not said
-  int ordinal = 0;           // "second" -> 2; 0 when not said
-  bool some = false;         // "some ice cream"
-  bool inside = false;       // "in", "into", "inside" before a destination
-  std::string modifier;      // "shelf" of "shelf pillow"
+  bool all = false;      // all, every, each
+  int count = 0;         // "two", "both"; 0 when not said
+  int ordinal = 0;       // "second" -> 2; 0 when not said
+  bool some = false;     // "some ice cream"
+  bool inside = false;   // "in", "into", "inside" before a destination
+  std::string modifier;  // "shelf" of "shelf pillow"
   std::vector<std::string> adjectives;
 };
 

@@ -37,7 +37,8 @@ std::vector<Symbol> FrameActions::of_role(const Clause& clause, Role role, Sort 
           if (relation_of(fact) == Relation::kGrasping) chosen.push_back(object_of(fact));
       if (!phrase.plural && chosen.size() > 1) chosen.erase(chosen.begin() + 1, chosen.end());
     } else {
-      chosen = resolver_.chosen(phrase, resolver_.options(phrase, sort, now_, role == Role::kDirect ? source : nullptr));
+      chosen = resolver_.chosen(
+          phrase, resolver_.options(phrase, sort, now_, role == Role::kDirect ? source : nullptr));
     }
     if (chosen.empty() && problem.empty()) problem = unknown_thing(phrase);
     for (const Symbol object : chosen)
@@ -115,7 +116,8 @@ std::string FrameActions::keep(Symbol x, Symbol y, bool inside) {
   if (x == y) return "a thing cannot be put on itself";
   const bool box = y == kMicrowave || y == kFridge || y == kGarbageBin_1 || y == kGarbageBag_1;
   if (resolver_.is_of_class(x, "cd") && resolver_.is_of_class(y, "xbox")) return act({Verb::kInsert, x, y});
-  if (inside && c != nullptr && (c->vessel || c->dish) && (x == kRamen_1 || x == kBoiledEgg_1 || x == kSalt_1))
+  if (inside && c != nullptr && (c->vessel || c->dish) &&
+      (x == kRamen_1 || x == kBoiledEgg_1 || x == kSalt_1))
     return act({Verb::kAdd, x, y});
   const Verb verb = box || (inside && c != nullptr && (c->vessel || c->dish)) ? Verb::kKeepIn : Verb::kKeepOn;
   if (now_.has(verb == Verb::kKeepIn ? Relation::kIn : Relation::kOn, x, y)) return {};
@@ -136,7 +138,8 @@ std::string FrameActions::turn_on(Symbol device, bool on, int number) {
     return set(kMicrowave, kMicrowaveIsOn, {Verb::kPress, kMicrowaveButton});
   }
   const auto knob = [&](int i) {
-    return set(kStove, static_cast<Symbol>(kStoveFire1 + i), {Verb::kTurn, static_cast<Symbol>(kStoveKnob_1 + i)});
+    return set(kStove, static_cast<Symbol>(kStoveFire1 + i),
+               {Verb::kTurn, static_cast<Symbol>(kStoveKnob_1 + i)});
   };
   if (device >= kStoveFire_1 && device <= kStoveFire_4) return knob(device - kStoveFire_1);
   if (device >= kStoveKnob_1 && device <= kStoveKnob_4) return knob(device - kStoveKnob_1);
@@ -177,32 +180,74 @@ std::string FrameActions::add(const Clause& clause) {
   const std::size_t count = macros_.size();
   Problem problem;
   switch (clause.frame) {
-    case Frame::kGo: problem = go(clause); break;
-    case Frame::kTake: problem = take(clause); break;
+    case Frame::kGo:
+      problem = go(clause);
+      break;
+    case Frame::kTake:
+      problem = take(clause);
+      break;
     case Frame::kPlace:
-    case Frame::kBring: problem = put(clause); break;
-    case Frame::kDiscard: problem = discard(clause); break;
-    case Frame::kFill: problem = fill(clause); break;
-    case Frame::kPour: problem = pour(clause); break;
-    case Frame::kEmpty: problem = empty(clause); break;
-    case Frame::kTurn: problem = turn(clause, -1); break;
-    case Frame::kStart: problem = turn(clause, 1); break;
-    case Frame::kStop: problem = turn(clause, 0); break;
-    case Frame::kOpen: problem = door(clause, true); break;
-    case Frame::kClose: problem = door(clause, false); break;
-    case Frame::kWash: problem = wash(clause); break;
-    case Frame::kHeat: problem = heat(clause, false); break;
-    case Frame::kBoil: problem = heat(clause, true); break;
+    case Frame::kBring:
+      problem = put(clause);
+      break;
+    case Frame::kDiscard:
+      problem = discard(clause);
+      break;
+    case Frame::kFill:
+      problem = fill(clause);
+      break;
+    case Frame::kPour:
+      problem = pour(clause);
+      break;
+    case Frame::kEmpty:
+      problem = empty(clause);
+      break;
+    case Frame::kTurn:
+      problem = turn(clause, -1);
+      break;
+    case Frame::kStart:
+      problem = turn(clause, 1);
+      break;
+    case Frame::kStop:
+      problem = turn(clause, 0);
+      break;
+    case Frame::kOpen:
+      problem = door(clause, true);
+      break;
+    case Frame::kClose:
+      problem = door(clause, false);
+      break;
+    case Frame::kWash:
+      problem = wash(clause);
+      break;
+    case Frame::kHeat:
+      problem = heat(clause, false);
+      break;
+    case Frame::kBoil:
+      problem = heat(clause, true);
+      break;
     case Frame::kAdd:
-    case Frame::kSqueeze: problem = add_to(clause); break;
-    case Frame::kScoop: problem = scoop(clause); break;
-    case Frame::kInsert: problem = insert(clause); break;
-    case Frame::kRelease: problem = release(clause); break;
+    case Frame::kSqueeze:
+      problem = add_to(clause);
+      break;
+    case Frame::kScoop:
+      problem = scoop(clause);
+      break;
+    case Frame::kInsert:
+      problem = insert(clause);
+      break;
+    case Frame::kRelease:
+      problem = release(clause);
+      break;
     case Frame::kChange:
     case Frame::kMute:
     case Frame::kRaise:
-    case Frame::kLower: problem = television(clause); break;
-    case Frame::kNone: problem = "there is no verb that a robot could act on"; break;
+    case Frame::kLower:
+      problem = television(clause);
+      break;
+    case Frame::kNone:
+      problem = "there is no verb that a robot could act on";
+      break;
   }
   if (!problem.empty()) {
     now_ = before;

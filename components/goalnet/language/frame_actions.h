@@ -1,4 +1,5 @@
-// Clauses to actions, one frame at a time, played through in SymSim so that later clauses see what earlier ones did.
+// Clauses to actions, one frame at a time, played through in SymSim so that later clauses see what earlier
+// ones did.
 #pragma once
 
 #include <string>

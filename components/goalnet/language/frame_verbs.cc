@@ -25,7 +25,8 @@ std::string FrameActions::take(const Clause& clause) {
   if (clause.has("scoop")) return scoop(clause);
   // "take the mug to the sink" says where to put it; "take the mug on the shelf" where it is.
   const NounPhrase* destination = first(clause, Role::kDestination);
-  if (destination != nullptr && (clause.has("to") || clause.has("into") || clause.has("onto"))) return put(clause);
+  if (destination != nullptr && (clause.has("to") || clause.has("into") || clause.has("onto")))
+    return put(clause);
   NounPhrase where;
   Clause located = clause;
   if (destination != nullptr) {
@@ -47,17 +48,20 @@ std::string FrameActions::put(const Clause& clause) {
   const NounPhrase* destination = first(clause, Role::kDestination);
   if (destination == nullptr) {
     if (clause.has_particle("down")) return release(clause);
-    if (clause.has_particle("away") && resolver_.instruction().find(kGarbageBin_1) >= 0 && clause.frame == Frame::kPlace)
+    if (clause.has_particle("away") && resolver_.instruction().find(kGarbageBin_1) >= 0 &&
+        clause.frame == Frame::kPlace)
       return "it is not clear where to put it";
     // "drop the pillow", "move the mug": only the first has a meaning without a place
-    return clause.frame == Frame::kBring ? take(clause) : clause.verb == "drop" ? release(clause) : Problem("it is not clear where to put it");
+    return clause.frame == Frame::kBring ? take(clause)
+           : clause.verb == "drop"       ? release(clause)
+                                         : Problem("it is not clear where to put it");
   }
   if (clause.verb == "move" && first(clause, Role::kDirect) == nullptr) return go(clause);
   if (clause.has("scoop")) return scoop(clause);
   const Symbol content = mentioned_content(clause, Role::kDirect);
   if (destination->inside && (content == kWater || content == kCoffee)) return pour(clause);
-  if (destination->inside && content == kIceCream && destination->phrase != "fridge" && destination->phrase != "freezer" &&
-      destination->phrase != "refrigerator")
+  if (destination->inside && content == kIceCream && destination->phrase != "fridge" &&
+      destination->phrase != "freezer" && destination->phrase != "refrigerator")
     return scoop(clause);
   if (destination->inside && content == kSalt) return add_to(clause);
   const auto objects = direct(clause, Sort::kMovable, problem);
@@ -95,7 +99,8 @@ std::string FrameActions::fill(const Clause& clause) {
   if (!problem.empty()) return problem;
   Symbol content = mentioned_content(clause, Role::kWith);
   const NounPhrase* with = first(clause, Role::kWith);
-  if (with != nullptr && content == kNone) return "it is not known how to fill something with " + with->phrase;
+  if (with != nullptr && content == kNone)
+    return "it is not known how to fill something with " + with->phrase;
   if (content == kNone) content = kWater;
   for (const Symbol vessel : vessels) {
     if (content == kWater) {
@@ -117,8 +122,10 @@ std::string FrameActions::pour(const Clause& clause) {
   Symbol target = kNone;
   if (destination != nullptr) {
     const auto options = destination->pronoun ? last_ : resolver_.options(*destination, Sort::kVessel, now_);
-    if (!options.empty()) target = options.front();
-    else if (resolver_.options(*destination, Sort::kPlace, now_).empty()) return unknown_thing(*destination);
+    if (!options.empty())
+      target = options.front();
+    else if (resolver_.options(*destination, Sort::kPlace, now_).empty())
+      return unknown_thing(*destination);
   }
   Symbol source = kNone;
   if (source_phrase != nullptr) {
@@ -149,7 +156,8 @@ std::string FrameActions::pour(const Clause& clause) {
 std::string FrameActions::empty(const Clause& clause) {
   if (mentioned_content(clause, Role::kDirect) != kNone) return pour(clause);
   const NounPhrase* destination = first(clause, Role::kDestination);
-  if (destination != nullptr && !resolver_.options(*destination, Sort::kVessel, now_).empty()) return pour(clause);
+  if (destination != nullptr && !resolver_.options(*destination, Sort::kVessel, now_).empty())
+    return pour(clause);
   Problem problem;
   const auto vessels = direct(clause, Sort::kVessel, problem);
   if (!problem.empty()) return problem;
@@ -160,14 +168,18 @@ std::string FrameActions::empty(const Clause& clause) {
 
 std::string FrameActions::turn(const Clause& clause, int on) {
   if (clause.has("volume") || clause.has("channel")) return television(clause);
-  if (on < 0) on = clause.has_particle("off") || clause.has("off") ? 0 : clause.has_particle("on") || clause.has("on") ? 1 : -1;
+  if (on < 0)
+    on = clause.has_particle("off") || clause.has("off") ? 0
+         : clause.has_particle("on") || clause.has("on") ? 1
+                                                         : -1;
   if (on < 0 && (clause.verb == "turn" || clause.verb == "switch" || clause.verb == "power"))
     return "it is not clear whether to turn that on or off";
   Problem problem;
   bool any = false;
   for (const NounPhrase& phrase : clause.phrases) {
     auto options = resolver_.options(phrase, Sort::kDevice, now_);
-    if (phrase.phrase == "burner" || phrase.phrase == "stove fire" || phrase.phrase == "fire" || phrase.phrase == "flame")
+    if (phrase.phrase == "burner" || phrase.phrase == "stove fire" || phrase.phrase == "fire" ||
+        phrase.phrase == "flame")
       options = phrase.ordinal > 0 || phrase.count > 0 ? resolver_.options(phrase, Sort::kPlace, now_)
                                                        : std::vector<Symbol>{kStove};
     if (phrase.pronoun) options = last_;
@@ -182,7 +194,8 @@ std::string FrameActions::turn(const Clause& clause, int on) {
     if (device == kStove && resolver_.instruction().find(kStove) < 0) return "there is no stove here";
     bool want = on == 1;
     if (on < 0) {
-      const bool is_on = (device == kSinkKnob && now_.is(kSinkKnob, kTapIsOn)) || (device == kTv_1 && now_.is(kTv_1, kIsOn));
+      const bool is_on =
+          (device == kSinkKnob && now_.is(kSinkKnob, kTapIsOn)) || (device == kTv_1 && now_.is(kTv_1, kIsOn));
       want = !is_on;
     }
     if (problem = turn_on(device, want, number); !problem.empty()) return problem;
@@ -201,22 +214,26 @@ std::string FrameActions::door(const Clause& clause, bool open) {
   for (const NounPhrase& phrase : clause.phrases) {
     const auto options = resolver_.options(phrase, Sort::kAny, now_);
     const std::string& name = phrase.phrase;
-    const bool fridge = name.find("fridge") != std::string::npos || name == "freezer" || name == "refrigerator" || name == "icebox";
+    const bool fridge = name.find("fridge") != std::string::npos || name == "freezer" ||
+                        name == "refrigerator" || name == "icebox";
     if (fridge && has(kFridge)) {
       const bool use_right = right || (!left && name.find("right") != std::string::npos);
       if (open) {
         const Symbol state = use_right ? kRightDoorIsOpen : kLeftDoorIsOpen;
-        if (!now_.is(kFridge, state)) problem = act({Verb::kOpen, use_right ? Symbol{kFridgeRightDoor} : Symbol{kFridgeLeftDoor}});
+        if (!now_.is(kFridge, state))
+          problem = act({Verb::kOpen, use_right ? Symbol{kFridgeRightDoor} : Symbol{kFridgeLeftDoor}});
       } else {
         for (const Symbol side : {kFridgeLeftDoor, kFridgeRightDoor}) {
-          const bool wanted = (!left && !right) || (left && side == kFridgeLeftDoor) || (right && side == kFridgeRightDoor);
+          const bool wanted =
+              (!left && !right) || (left && side == kFridgeLeftDoor) || (right && side == kFridgeRightDoor);
           const Symbol state = side == kFridgeLeftDoor ? kLeftDoorIsOpen : kRightDoorIsOpen;
           if (wanted && now_.is(kFridge, state)) problem = act({Verb::kClose, side});
         }
       }
       any = true;
     } else if (!options.empty() && options.front() == kMicrowave) {
-      if (now_.is(kMicrowave, kDoorIsOpen) != open) problem = act({open ? Verb::kOpen : Verb::kClose, kMicrowave});
+      if (now_.is(kMicrowave, kDoorIsOpen) != open)
+        problem = act({open ? Verb::kOpen : Verb::kClose, kMicrowave});
       any = true;
     } else if (!options.empty() && options.front() == kBagOfChips_1 && open) {
       if (!now_.is(kBagOfChips_1, kIsOpen)) problem = act({Verb::kOpen, kBagOfChips_1});
@@ -237,7 +254,8 @@ std::string FrameActions::wash(const Clause& clause) {
   if (!problem.empty()) return problem;
   for (const Symbol object : objects)
     if (problem = keep(object, kSink, false); !problem.empty()) return problem;
-  const bool wet = std::all_of(objects.begin(), objects.end(), [&](Symbol object) { return now_.is(object, kWater); });
+  const bool wet =
+      std::all_of(objects.begin(), objects.end(), [&](Symbol object) { return now_.is(object, kWater); });
   return wet ? Problem{} : turn_on(kSinkKnob, true, 0);
 }
 
@@ -269,7 +287,8 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
     if (!problem.empty()) return problem;
   }
   last_ = objects;
-  if (!microwave && !boil && destination == nullptr && with == nullptr && !resolver_.is_of_class(objects.front(), "kettle"))
+  if (!microwave && !boil && destination == nullptr && with == nullptr &&
+      !resolver_.is_of_class(objects.front(), "kettle"))
     microwave = resolver_.instruction().find(kMicrowave) >= 0;
   if (microwave) {
     for (const Symbol object : objects)
@@ -301,10 +320,14 @@ std::string FrameActions::add_to(const Clause& clause) {
   if (!problem.empty()) return problem;
   for (const Symbol object : objects) {
     if (object == target) return "a thing cannot be added to itself";
-    if (now_.has(Relation::kIsSqueezeable, object)) problem = act({Verb::kSqueeze, object, target});
-    else if (object == kSalt_1 || object == kRamen_1 || object == kBoiledEgg_1) problem = act({Verb::kAdd, object, target});
-    else if (content != kNone && vessel_with(content) != kNone) problem = act({Verb::kPourInto, vessel_with(content), target});
-    else problem = keep(object, target, true);
+    if (now_.has(Relation::kIsSqueezeable, object))
+      problem = act({Verb::kSqueeze, object, target});
+    else if (object == kSalt_1 || object == kRamen_1 || object == kBoiledEgg_1)
+      problem = act({Verb::kAdd, object, target});
+    else if (content != kNone && vessel_with(content) != kNone)
+      problem = act({Verb::kPourInto, vessel_with(content), target});
+    else
+      problem = keep(object, target, true);
     if (!problem.empty()) return problem;
   }
   last_ = {target};
@@ -359,7 +382,8 @@ std::string FrameActions::release(const Clause& clause) {
 
 std::string FrameActions::television(const Clause& clause) {
   if (resolver_.instruction().find(kTv_1) < 0) return "there is no television here";
-  const bool down = clause.has("down") || clause.has("previous") || clause.has("lower") || clause.frame == Frame::kLower;
+  const bool down =
+      clause.has("down") || clause.has("previous") || clause.has("lower") || clause.frame == Frame::kLower;
   if (clause.has("channel"))
     return turn_on(kTv_1, true, 0).empty()
                ? act({Verb::kPress, down ? Symbol{kTv_1ChannelDownButton} : Symbol{kTv_1ChannelUpButton}})

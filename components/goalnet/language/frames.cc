@@ -24,8 +24,10 @@ Understanding FrameReader::read(const Instruction& instruction, const SymState& 
   std::size_t understood = 0;
   for (const Clause& clause : sentence.clauses) {
     const std::string problem = actions.add(clause);
-    if (problem.empty()) ++understood;
-    else result.problems.push_back(problem);
+    if (problem.empty())
+      ++understood;
+    else
+      result.problems.push_back(problem);
   }
   if (!sentence.stray.empty()) {
     std::string problem = "\"" + sentence.stray.front() + "\" is unknown";

@@ -1,5 +1,5 @@
-// What a plain instruction asks for, by its grammar: verbs open frames, frames become actions in this world. It says
-// plainly when it does not understand; the learned ranker (ranker/) covers what grammar cannot.
+// What a plain instruction asks for, by its grammar: verbs open frames, frames become actions in this world.
+// It says plainly when it does not understand; the learned ranker (ranker/) covers what grammar cannot.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 namespace goalnet::inference {
 
 struct Understanding {
-  std::vector<SymAction> macros;     // in order; see with_means
-  bool complete = false;             // every clause was understood
-  std::vector<std::string> problems; // why a clause was not: one sentence each
-  bool nothing_known = false;        // no verb, or nothing it could be about
+  std::vector<SymAction> macros;      // in order; see with_means
+  bool complete = false;              // every clause was understood
+  std::vector<std::string> problems;  // why a clause was not: one sentence each
+  bool nothing_known = false;         // no verb, or nothing it could be about
 };
 
 class FrameReader {

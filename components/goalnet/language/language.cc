@@ -12,12 +12,14 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<std::pair<std::string_view, Frame>, 25> kFrames = {{
-    {"go", Frame::kGo},           {"take", Frame::kTake},       {"place", Frame::kPlace},   {"bring", Frame::kBring},
-    {"discard", Frame::kDiscard}, {"fill", Frame::kFill},       {"pour", Frame::kPour},     {"empty", Frame::kEmpty},
-    {"turn", Frame::kTurn},       {"start", Frame::kStart},     {"stop", Frame::kStop},     {"open", Frame::kOpen},
-    {"close", Frame::kClose},     {"wash", Frame::kWash},       {"heat", Frame::kHeat},     {"boil", Frame::kBoil},
-    {"add", Frame::kAdd},         {"squeeze", Frame::kSqueeze}, {"scoop", Frame::kScoop},   {"insert", Frame::kInsert},
-    {"release", Frame::kRelease}, {"change", Frame::kChange},   {"mute", Frame::kMute},     {"raise", Frame::kRaise},
+    {"go", Frame::kGo},         {"take", Frame::kTake},       {"place", Frame::kPlace},
+    {"bring", Frame::kBring},   {"discard", Frame::kDiscard}, {"fill", Frame::kFill},
+    {"pour", Frame::kPour},     {"empty", Frame::kEmpty},     {"turn", Frame::kTurn},
+    {"start", Frame::kStart},   {"stop", Frame::kStop},       {"open", Frame::kOpen},
+    {"close", Frame::kClose},   {"wash", Frame::kWash},       {"heat", Frame::kHeat},
+    {"boil", Frame::kBoil},     {"add", Frame::kAdd},         {"squeeze", Frame::kSqueeze},
+    {"scoop", Frame::kScoop},   {"insert", Frame::kInsert},   {"release", Frame::kRelease},
+    {"change", Frame::kChange}, {"mute", Frame::kMute},       {"raise", Frame::kRaise},
     {"lower", Frame::kLower},
 }};
 
@@ -32,8 +34,10 @@ int spelling_distance(std::string_view a, std::string_view b, int most) {
   for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(j);
   for (std::size_t i = 1; i <= a.size(); ++i)
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      d[i][j] =
+          std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   return std::min(d[a.size()][b.size()], most + 1);
 }
@@ -45,14 +49,17 @@ Expected<Language> Language::parse(std::string_view text, const std::string& nam
   try {
     const json file = json::parse(text);
     for (const auto& [frame_name, words] : file.at("verbs").items()) {
-      const auto frame = std::find_if(kFrames.begin(), kFrames.end(), [&, n = std::string_view(frame_name)](const auto& f) { return f.first == n; });
+      const auto frame =
+          std::find_if(kFrames.begin(), kFrames.end(),
+                       [&, n = std::string_view(frame_name)](const auto& f) { return f.first == n; });
       if (frame == kFrames.end())
         return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
       // The first frame that lists a word keeps it.
       for (const auto& word : words) language.verbs_.try_emplace(word.get<std::string>(), frame->second);
     }
     for (const auto& [content, phrases] : file.at("contents").items())
-      for (const auto& phrase : phrases) language.contents_[phrase.get<std::string>()] = symbols.intern(content);
+      for (const auto& phrase : phrases)
+        language.contents_[phrase.get<std::string>()] = symbols.intern(content);
     for (const auto& word : file.at("fillers")) language.fillers_.insert(word.get<std::string>());
   } catch (const json::exception& error) {
     return fail(Outcome::kInvalidRequest, name + ": " + error.what());
@@ -79,7 +86,8 @@ Symbol Language::content(const std::string& phrase) const {
 bool Language::known(const std::string& word) const {
   return word == "." || word == "," || std::binary_search(vocabulary_.begin(), vocabulary_.end(), word) ||
          std::binary_search(vocabulary_.begin(), vocabulary_.end(), singular(word)) || seen_.contains(word) ||
-         seen_.contains(singular(word)) || lexicon_->is_word_of_name(singular(word));  // names learned from this world
+         seen_.contains(singular(word)) ||
+         lexicon_->is_word_of_name(singular(word));  // names learned from this world
 }
 
 void Language::add_synonym(const std::string& word, const std::string& known_word) {
@@ -99,7 +107,8 @@ std::string Language::correct(const std::string& word) const {
   std::string choice;
   for (const std::string& candidate : vocabulary_) {
     if (candidate.size() < 3) continue;
-    int distance = std::min(spelling_distance(word, candidate, allowed), spelling_distance(stem, candidate, allowed));
+    int distance =
+        std::min(spelling_distance(word, candidate, allowed), spelling_distance(stem, candidate, allowed));
     // Three letters hold little: only swapped neighbours count as a slip there.
     if (word.size() == 3) {
       std::string a = word, b = candidate;
@@ -114,7 +123,8 @@ std::string Language::correct(const std::string& word) const {
       std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
       return a != b;
     }();
-    const int cost = 8 * distance + (candidate.front() == word.front() ? 0 : 4) + (replaced ? 3 : 0) + (filler(candidate) ? 1 : 0);
+    const int cost = 8 * distance + (candidate.front() == word.front() ? 0 : 4) + (replaced ? 3 : 0) +
+                     (filler(candidate) ? 1 : 0);
     if (choice.empty() || cost < best) best = cost, choice = candidate;
   }
   return choice.empty() ? word : choice;

@@ -16,8 +16,32 @@ namespace goalnet::inference {
 
 // What a verb asks for.
 enum class Frame : std::uint8_t {
-  kNone, kGo, kTake, kPlace, kBring, kDiscard, kFill, kPour, kEmpty, kTurn, kStart, kStop, kOpen, kClose, kWash,
-  kHeat, kBoil, kAdd, kSqueeze, kScoop, kInsert, kRelease, kChange, kMute, kRaise, kLower,
+  kNone,
+  kGo,
+  kTake,
+  kPlace,
+  kBring,
+  kDiscard,
+  kFill,
+  kPour,
+  kEmpty,
+  kTurn,
+  kStart,
+  kStop,
+  kOpen,
+  kClose,
+  kWash,
+  kHeat,
+  kBoil,
+  kAdd,
+  kSqueeze,
+  kScoop,
+  kInsert,
+  kRelease,
+  kChange,
+  kMute,
+  kRaise,
+  kLower,
 };
 
 class Language {
@@ -31,8 +55,8 @@ class Language {
   bool filler(const std::string& word) const { return fillers_.contains(word); }
   bool known(const std::string& word) const;
 
-  // The word itself when known; else the only known word within a small typing error (one letter wrong, missing,
-  // extra or two swapped; two such in words of eight letters or more); else the word itself.
+  // The word itself when known; else the only known word within a small typing error (one letter wrong,
+  // missing, extra or two swapped; two such in words of eight letters or more); else the word itself.
   std::string correct(const std::string& word) const;
   // The known word nearest in spelling, for "did you mean"; empty when nothing is near.
   std::string nearest(const std::string& word) const;

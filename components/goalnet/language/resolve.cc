@@ -11,7 +11,8 @@ using namespace symbol;
 
 const ObjectClass* Resolver::class_of(Symbol object) const {
   const int found = instruction_.find(object);
-  return found < 0 ? nullptr : &lexicon_.object_class(instruction_.objects[static_cast<std::size_t>(found)].class_id);
+  return found < 0 ? nullptr
+                   : &lexicon_.object_class(instruction_.objects[static_cast<std::size_t>(found)].class_id);
 }
 
 bool Resolver::is_of_class(Symbol object, std::string_view class_name) const {
@@ -24,11 +25,16 @@ bool Resolver::fits(Symbol object, Sort sort, const SymState& now) const {
   if (c == nullptr) return false;
   const bool movable = now.has(Relation::kIsGraspable, object) || now.holds(object);
   switch (sort) {
-    case Sort::kAny: return true;
-    case Sort::kMovable: return movable;
-    case Sort::kPlace: return c->place || c->dish || c->vessel || c->name == "xbox" || c->name == "garbage_bag";
-    case Sort::kDevice: return std::find(c->kinds.begin(), c->kinds.end(), "device") != c->kinds.end();
-    case Sort::kVessel: return movable && (c->vessel || c->dish);
+    case Sort::kAny:
+      return true;
+    case Sort::kMovable:
+      return movable;
+    case Sort::kPlace:
+      return c->place || c->dish || c->vessel || c->name == "xbox" || c->name == "garbage_bag";
+    case Sort::kDevice:
+      return std::find(c->kinds.begin(), c->kinds.end(), "device") != c->kinds.end();
+    case Sort::kVessel:
+      return movable && (c->vessel || c->dish);
   }
   return false;
 }
@@ -78,13 +84,18 @@ std::vector<Symbol> Resolver::options(const NounPhrase& phrase, Sort sort, const
     for (const std::string& adjective : phrase.adjectives) {
       if (adjective == "empty" && !is_empty(object.symbol, now)) cost += 100;
       if (adjective == "full" && is_empty(object.symbol, now)) cost += 100;
-      if ((adjective == "near" || adjective == "nearest" || adjective == "closest") && !now.near(object.symbol)) cost += 50;
+      if ((adjective == "near" || adjective == "nearest" || adjective == "closest") &&
+          !now.near(object.symbol))
+        cost += 50;
       if (adjective == "other" && (now.holds(object.symbol) || now.near(object.symbol))) cost += 50;
     }
     if (!phrase.modifier.empty() && is_at(object.symbol, phrase.modifier, now)) cost -= 200;
-    if (source != nullptr && !source->phrase.empty() && is_at(object.symbol, source->phrase, now)) cost -= 200;
-    if (now.holds(object.symbol)) cost -= 4;
-    else if (now.near(object.symbol)) cost -= 2;
+    if (source != nullptr && !source->phrase.empty() && is_at(object.symbol, source->phrase, now))
+      cost -= 200;
+    if (now.holds(object.symbol))
+      cost -= 4;
+    else if (now.near(object.symbol))
+      cost -= 2;
     found.push_back({object.symbol, cost, symbols_.name(object.symbol)});
   }
   std::sort(found.begin(), found.end(), [](const Option& a, const Option& b) {
@@ -106,8 +117,10 @@ std::vector<Symbol> Resolver::chosen(const NounPhrase& phrase, std::vector<Symbo
   if (phrase.ordinal > 0 && options.size() >= static_cast<std::size_t>(phrase.ordinal))
     return {options[static_cast<std::size_t>(phrase.ordinal - 1)]};
   std::size_t count = 1;
-  if (phrase.all || (phrase.plural && phrase.count == 0)) count = options.size();
-  else if (phrase.count > 0) count = static_cast<std::size_t>(phrase.count);
+  if (phrase.all || (phrase.plural && phrase.count == 0))
+    count = options.size();
+  else if (phrase.count > 0)
+    count = static_cast<std::size_t>(phrase.count);
   if (options.size() > count) options.erase(options.begin() + static_cast<long>(count), options.end());
   return options;
 }

@@ -19,8 +19,9 @@ class Resolver {
   Resolver(const Instruction& instruction, const Lexicon& lexicon, const Symbols& symbols)
       : instruction_(instruction), lexicon_(lexicon), symbols_(symbols) {}
 
-  // All objects that the phrase may mean, of the sort, best first: as the adjectives and modifiers say, held, near,
-  // then in the order of their names. Only the best level of naming counts. `source`: where they are said to be.
+  // All objects that the phrase may mean, of the sort, best first: as the adjectives and modifiers say, held,
+  // near, then in the order of their names. Only the best level of naming counts. `source`: where they are
+  // said to be.
   std::vector<Symbol> options(const NounPhrase& phrase, Sort sort, const SymState& now,
                               const NounPhrase* source = nullptr) const;
 

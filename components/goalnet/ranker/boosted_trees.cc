@@ -44,8 +44,8 @@ struct Split {
 
 }  // namespace
 
-BoostedTrees BoostedTrees::train(std::span<const float> rows, std::size_t columns, std::span<const float> targets,
-                                 const BoostOptions& options) {
+BoostedTrees BoostedTrees::train(std::span<const float> rows, std::size_t columns,
+                                 std::span<const float> targets, const BoostOptions& options) {
   BoostedTrees model;
   const std::size_t count = targets.size();
   if (count == 0) return model;
@@ -84,8 +84,8 @@ BoostedTrees BoostedTrees::train(std::span<const float> rows, std::size_t column
             const float right = sum - left, right_n = n - left_n;
             const auto least = static_cast<float>(options.min_rows);
             if (left_n < least || right_n < least) continue;
-            const float gain = left * left / (left_n + options.ridge) + right * right / (right_n + options.ridge) -
-                               sum * sum / (n + options.ridge);
+            const float gain = left * left / (left_n + options.ridge) +
+                               right * right / (right_n + options.ridge) - sum * sum / (n + options.ridge);
             if (gain > best.gain) best = {gain, c, b};
           }
         }
@@ -111,7 +111,8 @@ BoostedTrees BoostedTrees::train(std::span<const float> rows, std::size_t column
       std::int32_t i = first;
       while (model.nodes_[static_cast<std::size_t>(i)].feature >= 0) {
         const Node& node = model.nodes_[static_cast<std::size_t>(i)];
-        i = rows[r * columns + static_cast<std::size_t>(node.feature)] < node.threshold ? node.left : node.right;
+        i = rows[r * columns + static_cast<std::size_t>(node.feature)] < node.threshold ? node.left
+                                                                                        : node.right;
       }
       residual[r] -= model.nodes_[static_cast<std::size_t>(i)].threshold;
     }
@@ -136,8 +137,8 @@ bool BoostedTrees::assign(std::vector<Node> nodes, std::vector<std::int32_t> roo
   for (std::int32_t i = 0; i < size; ++i) {
     const Node& node = nodes[static_cast<std::size_t>(i)];
     if (node.feature < 0) continue;
-    if (node.feature >= static_cast<std::int32_t>(columns) || node.left <= i || node.right <= i || node.left >= size ||
-        node.right >= size)
+    if (node.feature >= static_cast<std::int32_t>(columns) || node.left <= i || node.right <= i ||
+        node.left >= size || node.right >= size)
       return false;
   }
   for (const std::int32_t root : roots)

@@ -19,7 +19,8 @@ struct BoostOptions {
 
 class BoostedTrees {
  public:
-  // One node of a tree: goes left where feature < threshold. A leaf has feature -1 and its value in threshold.
+  // One node of a tree: goes left where feature < threshold. A leaf has feature -1 and its value in
+  // threshold.
   struct Node {
     std::int32_t feature = -1;
     float threshold = 0;

@@ -62,8 +62,8 @@ constexpr std::array<DeviceAction, 25> kDeviceActions = {{
 
 }  // namespace
 
-std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon& lexicon, const Places& places,
-                                  const SymState& state) {
+std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon& lexicon,
+                                  const Places& places, const SymState& state) {
   std::vector<SymAction> list = {SymAction{}};
   const std::vector<SeenObject> objects = relevant(instruction, state);
   const auto graspable = [&](Symbol o) { return state.has(Relation::kIsGraspable, o) || state.holds(o); };
@@ -98,8 +98,8 @@ std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon&
     const bool tv = device.action.verb == Verb::kPress && device.action.x > kTv_1Remote_1PowerButton;
     if (tv && !state.is(kTv_1, kIsOn)) continue;  // channels and volume do nothing while the set is off
     if (device.action.verb == Verb::kOpen &&
-        (device.action.x == kMicrowave        ? state.is(kMicrowave, kDoorIsOpen)
-         : device.action.x == kFridgeLeftDoor ? state.is(kFridge, kLeftDoorIsOpen)
+        (device.action.x == kMicrowave         ? state.is(kMicrowave, kDoorIsOpen)
+         : device.action.x == kFridgeLeftDoor  ? state.is(kFridge, kLeftDoorIsOpen)
          : device.action.x == kFridgeRightDoor ? state.is(kFridge, kRightDoorIsOpen)
                                                : state.is(kBagOfChips_1, kIsOpen)))
       continue;
@@ -122,10 +122,12 @@ std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon&
   }
   for (const SeenObject& y : vessels) {
     for (const Symbol ingredient : {kSalt_1, kRamen_1, kBoiledEgg_1})
-      if (instruction.find(ingredient) >= 0 && graspable(ingredient)) offer({Verb::kAdd, ingredient, y.symbol});
+      if (instruction.find(ingredient) >= 0 && graspable(ingredient))
+        offer({Verb::kAdd, ingredient, y.symbol});
     if (state.is(kSpoon_1, kScoopsLeft)) offer({Verb::kAdd, kIceCreamScoop, y.symbol});
     for (const SeenObject& x : movable)
-      if (x.symbol != y.symbol && state.has(Relation::kIsSqueezeable, x.symbol) && state.is(x.symbol, kChocolate))
+      if (x.symbol != y.symbol && state.has(Relation::kIsSqueezeable, x.symbol) &&
+          state.is(x.symbol, kChocolate))
         offer({Verb::kSqueeze, x.symbol, y.symbol});
     for (const Symbol utensil : {kFork_1, kSpoon_1})
       if (instruction.find(utensil) >= 0) offer({Verb::kPlace, utensil, y.symbol});

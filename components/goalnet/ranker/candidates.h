@@ -8,15 +8,16 @@
 
 namespace goalnet::inference {
 
-// Which classes something was ever kept on or in: limits "keep" to sensible places. Learned from demonstrations.
+// Which classes something was ever kept on or in: limits "keep" to sensible places. Learned from
+// demonstrations.
 struct Places {
   std::vector<ClassId> on, in;  // sorted
 };
 
-// All actions that can be reached and would change something; kStop comes first. At most kMaxCandidates: worlds
-// with very many objects keep those the instruction names.
+// All actions that can be reached and would change something; kStop comes first. At most kMaxCandidates:
+// worlds with very many objects keep those the instruction names.
 inline constexpr std::size_t kMaxCandidates = 4096;
-std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon& lexicon, const Places& places,
-                                  const SymState& state);
+std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon& lexicon,
+                                  const Places& places, const SymState& state);
 
 }  // namespace goalnet::inference

@@ -16,7 +16,8 @@ void compress(Example& example) {
     bool found = false;
     for (std::size_t j = std::min(actions.size(), i + kLongestRun); j-- > i && !found;) {
       const auto run = with_means(actions[j], example.states[i]);
-      found = run.size() == j - i + 1 && std::equal(run.begin(), run.end(), actions.begin() + static_cast<long>(i));
+      found = run.size() == j - i + 1 &&
+              std::equal(run.begin(), run.end(), actions.begin() + static_cast<long>(i));
       if (found) end = j;
     }
     // What changed nothing (or was not possible) teaches nothing: predicates could not express it.
@@ -39,7 +40,8 @@ Example make_example(const Demonstration& demonstration, Lexicon& lexicon, Symbo
   const auto words = tokenize(demonstration.sentence).value_or(std::vector<std::string>{});
   example.given = see_instruction(words, &demonstration.grounding, world.objects, lexicon, symbols);
   example.none = see_instruction(words, nullptr, world.objects, lexicon, symbols);
-  for (const WorldState& state : demonstration.states) example.states.push_back(to_sym_state(state.facts, symbols));
+  for (const WorldState& state : demonstration.states)
+    example.states.push_back(to_sym_state(state.facts, symbols));
   for (const std::string& text : demonstration.actions)
     example.actions.push_back(parse_action(text, symbols).value_or(SymAction{}));
   compress(example);

@@ -14,10 +14,11 @@ namespace goalnet::inference {
 struct Example {
   std::string id, scenario;
   bool perturbed = false;
-  Instruction given, none;          // seen with and without the demonstration's grounding
-  std::vector<SymState> states;     // as recorded
-  std::vector<SymAction> actions;   // as recorded; kStop where an action makes no sense
-  // The fewest actions whose natural runs (with_means) give the recorded actions: (index of the state, action).
+  Instruction given, none;         // seen with and without the demonstration's grounding
+  std::vector<SymState> states;    // as recorded
+  std::vector<SymAction> actions;  // as recorded; kStop where an action makes no sense
+  // The fewest actions whose natural runs (with_means) give the recorded actions: (index of the state,
+  // action).
   std::vector<std::pair<std::size_t, SymAction>> macros;
 };
 

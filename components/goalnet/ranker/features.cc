@@ -28,13 +28,18 @@ std::uint32_t few(int count, int most) { return static_cast<std::uint32_t>(std::
 // Devices are told apart by name (a knob is not a knob); movable things are not.
 std::uint32_t verb_code(const SymAction& action) {
   const auto verb = static_cast<std::uint32_t>(action.verb);
-  const bool device = action.verb == Verb::kPress || action.verb == Verb::kTurn || action.verb == Verb::kOpen ||
-                      action.verb == Verb::kClose;
+  const bool device = action.verb == Verb::kPress || action.verb == Verb::kTurn ||
+                      action.verb == Verb::kOpen || action.verb == Verb::kClose;
   return device ? verb * 1000u + action.x : verb;
 }
 
 std::uint32_t vote_code(float weight) {
-  return weight <= 0 ? 0u : weight < 0.1f ? 1u : weight < 0.25f ? 2u : weight < 0.45f ? 3u : weight < 0.7f ? 4u : 5u;
+  return weight <= 0      ? 0u
+         : weight < 0.1f  ? 1u
+         : weight < 0.25f ? 2u
+         : weight < 0.45f ? 3u
+         : weight < 0.7f  ? 4u
+                          : 5u;
 }
 
 bool uses_device(Verb verb) {
@@ -107,7 +112,10 @@ FeatureContext::ObjectCode FeatureContext::code(Symbol symbol) const {
   code.handled = handled != 0;
   code.named = object.grounded || object.level != NameLevel::kNone;
   code.mention = static_cast<std::uint32_t>(object.level) * 2 + (object.grounded ? 1 : 0);
-  code.mention = code.mention * 4 + (object.rivals == 0 ? 0 : object.rivals == 1 ? 1 : object.rivals < 5 ? 2 : 3);
+  code.mention = code.mention * 4 + (object.rivals == 0   ? 0
+                                     : object.rivals == 1 ? 1
+                                     : object.rivals < 5  ? 2
+                                                          : 3);
   code.mention = code.mention * 2 + (instruction_.grounding_given ? 1 : 0);
   if (object.mention >= 0) {
     const bool plural = instruction_.mentions[static_cast<std::size_t>(object.mention)].plural;
@@ -177,12 +185,14 @@ void FeatureContext::extract(const SymAction& action, std::vector<std::uint32_t>
   const std::uint32_t v = verb_code(action), last = verb_code(last_), before = verb_code(before_last_);
   const Symbol device = uses_device(action.verb) ? device_of(action.x) : action.x;
   const ObjectCode x = code(device), y = code(action.y);
-  const ClassId cx = x.index >= 0 ? instruction_.objects[static_cast<std::size_t>(x.index)].class_id : kNoClass;
-  const ClassId cy = y.index >= 0 ? instruction_.objects[static_cast<std::size_t>(y.index)].class_id : kNoClass;
+  const ClassId cx =
+      x.index >= 0 ? instruction_.objects[static_cast<std::size_t>(x.index)].class_id : kNoClass;
+  const ClassId cy =
+      y.index >= 0 ? instruction_.objects[static_cast<std::size_t>(y.index)].class_id : kNoClass;
   const std::uint32_t w0 = instruction_.first_verb;
-  const std::uint32_t same = (last_.x == action.x ? 1u : 0u) + (last_.y == action.y && action.y != kNone ? 2u : 0u) +
-                             (last_.x == action.y && action.y != kNone ? 4u : 0u) +
-                             (last_.y == action.x ? 8u : 0u);
+  const std::uint32_t same =
+      (last_.x == action.x ? 1u : 0u) + (last_.y == action.y && action.y != kNone ? 2u : 0u) +
+      (last_.x == action.y && action.y != kNone ? 4u : 0u) + (last_.y == action.x ? 8u : 0u);
   const std::uint32_t votes = vote_code(vote(action, cx, cy));
   const std::uint32_t verb_only = static_cast<std::uint32_t>(action.verb);
 
@@ -232,8 +242,10 @@ void FeatureContext::extract(const SymAction& action, std::vector<std::uint32_t>
     add(58, v, x.place, y.class_code);
     add(59, v, y.rank, y.mention);
     add(60, v, x.state, y.state);
-    const SeenObject* seen_x = x.index >= 0 ? &instruction_.objects[static_cast<std::size_t>(x.index)] : nullptr;
-    const SeenObject* seen_y = y.index >= 0 ? &instruction_.objects[static_cast<std::size_t>(y.index)] : nullptr;
+    const SeenObject* seen_x =
+        x.index >= 0 ? &instruction_.objects[static_cast<std::size_t>(x.index)] : nullptr;
+    const SeenObject* seen_y =
+        y.index >= 0 ? &instruction_.objects[static_cast<std::size_t>(y.index)] : nullptr;
     if (seen_x && seen_y && seen_x->mention >= 0 && seen_y->mention >= 0)
       add(61, v, seen_x->mention < seen_y->mention ? 1 : 2, x.mention, y.mention);
   }

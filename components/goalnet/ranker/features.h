@@ -1,5 +1,5 @@
-// Binary features of a candidate action, hashed. Weights are shared over objects: an object counts by what it is and
-// how it is named, not by which it is.
+// Binary features of a candidate action, hashed. Weights are shared over objects: an object counts by what it
+// is and how it is named, not by which it is.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ inline constexpr std::uint32_t kFeatureBuckets = 1u << kFeatureBits;
 // What recorded neighbours of the instruction did: how much they speak for an action. See neighbours.h.
 struct NeighbourVote {
   Verb verb;
-  ClassId x, y;          // classes; kNoClass where the action has no such argument
-  float weight;          // 0..1: share of the neighbours that did this anywhere in their run
+  ClassId x, y;  // classes; kNoClass where the action has no such argument
+  float weight;  // 0..1: share of the neighbours that did this anywhere in their run
 };
 inline constexpr ClassId kNoClass = 0xffff;
 

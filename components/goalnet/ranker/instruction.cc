@@ -11,8 +11,9 @@ constexpr std::size_t kLongestName = 4;  // words
 constexpr std::size_t kMaxObjects = 10000;
 
 bool is_filler(const std::string& word) {
-  static constexpr std::array<std::string_view, 14> kFillers = {"the", "a",   "an",     ".",    ",",    "please", "and",
-                                                                "then", "now", "kindly", "also", "next", "finally", "could"};
+  static constexpr std::array<std::string_view, 14> kFillers = {"the",    "a",    "an",      ".",    ",",
+                                                                "please", "and",  "then",    "now",  "kindly",
+                                                                "also",   "next", "finally", "could"};
   return std::find(kFillers.begin(), kFillers.end(), word) != kFillers.end();
 }
 
@@ -32,7 +33,8 @@ void find_mentions(Instruction& instruction, const Lexicon& lexicon, const std::
       ++i;
       continue;
     }
-    instruction.mentions.push_back({static_cast<int>(i), static_cast<int>(i + length), phrase, plural[i + length - 1]});
+    instruction.mentions.push_back(
+        {static_cast<int>(i), static_cast<int>(i + length), phrase, plural[i + length - 1]});
     i += length;
   }
 }
@@ -54,7 +56,8 @@ void ground(Instruction& instruction, const Grounding& grounding, const Symbols&
     const int at = find_joined(instruction.words, key);
     int mention = -1;
     for (std::size_t m = 0; m < instruction.mentions.size(); ++m)
-      if (instruction.mentions[m].begin <= at && at < instruction.mentions[m].end) mention = static_cast<int>(m);
+      if (instruction.mentions[m].begin <= at && at < instruction.mentions[m].end)
+        mention = static_cast<int>(m);
     if (mention < 0) {
       mention = static_cast<int>(instruction.mentions.size());
       instruction.mentions.push_back({std::max(at, 0), std::max(at, 0) + 1, key, false});

@@ -25,19 +25,19 @@ struct SeenObject {
   std::uint8_t rank = 0;      // number among the world's objects of its class, in the order of their names
   std::uint8_t of_class = 1;  // how many there are
   NameLevel level = NameLevel::kNone;
-  bool grounded = false;      // named by the given grounding
-  int mention = -1;           // index of the best mention
-  int rivals = 0;             // objects that the same mention names as well as this one, itself included
+  bool grounded = false;          // named by the given grounding
+  int mention = -1;               // index of the best mention
+  int rivals = 0;                 // objects that the same mention names as well as this one, itself included
   std::uint32_t word_before = 0;  // of the mention: "on", "from", ...
 };
 
 struct Instruction {
-  std::vector<std::string> words;   // singular, without articles; "." between sentences
+  std::vector<std::string> words;                // singular, without articles; "." between sentences
   std::vector<std::uint32_t> unigrams, bigrams;  // hashes of words (unique) and of neighbouring pairs
-  std::uint32_t first_verb = 0;     // the first word that is no filler
-  std::vector<Mention> mentions;    // in order
-  std::vector<SeenObject> objects;  // in the order of their names; Robot left out
-  std::vector<std::int16_t> index;  // of each symbol in objects; -1: not in this world
+  std::uint32_t first_verb = 0;                  // the first word that is no filler
+  std::vector<Mention> mentions;                 // in order
+  std::vector<SeenObject> objects;               // in the order of their names; Robot left out
+  std::vector<std::int16_t> index;               // of each symbol in objects; -1: not in this world
   bool grounding_given = false;
 
   // Index into objects, or -1.

@@ -18,7 +18,8 @@ void LogLinear::softmax(std::vector<float>& scores, float temperature) {
 void LogLinear::train(std::span<const Decision> decisions, const LogLinearOptions& options,
                       const std::function<bool(int, double)>& progress) {
   std::vector<float> squares(weights_.size(), 1e-2f);
-  std::vector<float> total(weights_.size(), 0.0f);  // of weights over the second half: their average generalises better
+  std::vector<float> total(weights_.size(),
+                           0.0f);  // of weights over the second half: their average generalises better
   std::vector<std::uint32_t> order(decisions.size());
   std::iota(order.begin(), order.end(), 0u);
   Random random(options.seed);

@@ -18,8 +18,8 @@ struct Decision {
 
 struct LogLinearOptions {
   int epochs = 14;
-  float rate = 0.03f;       // AdaGrad's step
-  float decay = 2e-6f;      // L2, applied to what is touched
+  float rate = 0.03f;   // AdaGrad's step
+  float decay = 2e-6f;  // L2, applied to what is touched
   std::uint64_t seed = 1;
 };
 

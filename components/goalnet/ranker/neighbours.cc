@@ -50,7 +50,8 @@ Neighbours::Neighbours(std::vector<Memory> memories) : memories_(std::move(memor
   for (const Memory& memory : memories_)
     for (const auto& [term, amount] : memory.terms) ++documents[term];
   const float n = static_cast<float>(memories_.size()) + 1;
-  for (const auto& [term, count] : documents) weight_[term] = std::log(n / (static_cast<float>(count) + 0.5f));
+  for (const auto& [term, count] : documents)
+    weight_[term] = std::log(n / (static_cast<float>(count) + 0.5f));
   unseen_weight_ = std::log(n / 0.5f);
   for (const Memory& memory : memories_) {
     vectors_.push_back(memory.terms);
@@ -69,8 +70,8 @@ void Neighbours::weigh(std::vector<Term>& terms) const {
   for (auto& [term, amount] : terms) amount *= norm;
 }
 
-std::vector<Neighbour> Neighbours::nearest(const Instruction& instruction, const SymState& state, std::size_t count,
-                                           const std::string& without_scenario) const {
+std::vector<Neighbour> Neighbours::nearest(const Instruction& instruction, const SymState& state,
+                                           std::size_t count, const std::string& without_scenario) const {
   auto query = terms_of(instruction, state);
   weigh(query);
   std::vector<Neighbour> all;
@@ -110,7 +111,8 @@ std::vector<NeighbourVote> votes(std::span<const Neighbour> neighbours) {
     const float weight = neighbour.similarity * neighbour.similarity;
     total += weight;
     std::map<Key, bool> once;
-    for (const Memory::Step& step : neighbour.memory->steps) once[{step.action.verb, step.x_class, step.y_class}] = true;
+    for (const Memory::Step& step : neighbour.memory->steps)
+      once[{step.action.verb, step.x_class, step.y_class}] = true;
     const auto steps = static_cast<ClassId>(std::min<std::size_t>(neighbour.memory->steps.size(), 6));
     once[{Verb::kStop, kNoClass, steps}] = true;
     for (const auto& [key, is] : once) sums[key] += weight;
@@ -122,7 +124,8 @@ std::vector<NeighbourVote> votes(std::span<const Neighbour> neighbours) {
 }
 
 std::vector<SymAction> replay(const Memory& memory, const Instruction& instruction) {
-  // Mention by mention: the same phrase stays; otherwise the i-th name left over here stands for the i-th there.
+  // Mention by mention: the same phrase stays; otherwise the i-th name left over here stands for the i-th
+  // there.
   std::vector<std::uint32_t> here_phrases;
   for (const Mention& mention : instruction.mentions) here_phrases.push_back(hash_text(mention.phrase));
   const auto has = [](const std::vector<std::uint32_t>& list, std::uint32_t value) {
@@ -145,7 +148,8 @@ std::vector<SymAction> replay(const Memory& memory, const Instruction& instructi
       if (mention != there[k] || stands_for.contains(symbol)) return;
       stands_for[symbol] = objects[std::min(used++, objects.size() - 1)];
     };
-    for (const Memory::Step& step : memory.steps) carry(step.action.x, step.x_mention), carry(step.action.y, step.y_mention);
+    for (const Memory::Step& step : memory.steps)
+      carry(step.action.x, step.x_mention), carry(step.action.y, step.y_mention);
   }
   const auto carried = [&](Symbol symbol) {
     const auto it = stands_for.find(symbol);

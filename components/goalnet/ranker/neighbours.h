@@ -47,7 +47,7 @@ class Neighbours {
   void weigh(std::vector<Term>& terms) const;
 
   std::vector<Memory> memories_;
-  std::vector<std::vector<Term>> vectors_;  // weighted and normalised, one for each memory
+  std::vector<std::vector<Term>> vectors_;           // weighted and normalised, one for each memory
   std::unordered_map<std::uint32_t, float> weight_;  // inverse document frequency
   float unseen_weight_ = 1;
 };
@@ -55,8 +55,8 @@ class Neighbours {
 // What the neighbours did, by class.
 std::vector<NeighbourVote> votes(std::span<const Neighbour> neighbours);
 
-// The neighbour's actions carried over: objects that the neighbour's instruction named become those that this one
-// names, the others stay. Actions that are not possible here fall away when played.
+// The neighbour's actions carried over: objects that the neighbour's instruction named become those that this
+// one names, the others stay. Actions that are not possible here fall away when played.
 std::vector<SymAction> replay(const Memory& memory, const Instruction& instruction);
 
 }  // namespace goalnet::inference

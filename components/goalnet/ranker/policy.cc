@@ -20,8 +20,9 @@ Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const
   return moment;
 }
 
-Rollout::Rollout(const std::vector<const LogLinear*>& models, const Instruction& instruction, const Lexicon& lexicon,
-                 const Places& places, std::span<const NeighbourVote> votes, const SymState& start)
+Rollout::Rollout(const std::vector<const LogLinear*>& models, const Instruction& instruction,
+                 const Lexicon& lexicon, const Places& places, std::span<const NeighbourVote> votes,
+                 const SymState& start)
     : models_(models), instruction_(instruction), lexicon_(lexicon), places_(places), votes_(votes) {
   Node root;
   root.run.start = root.run.now = start;
@@ -58,7 +59,8 @@ int Rollout::follow(std::size_t index, std::size_t choice) {
   for (const SymAction& step : steps) apply(step, next.run.now);
   next.primitive = nodes_[index].primitive + steps.size();
   // Planner in the loop: what cannot be reached, changes nothing or leads back to the start is no choice.
-  if (steps.empty() || next.run.now == before || next.run.now == next.run.start || next.primitive > kMaxActions) {
+  if (steps.empty() || next.run.now == before || next.run.now == next.run.start ||
+      next.primitive > kMaxActions) {
     nodes_[index].child[choice] = -2;
     return -2;
   }

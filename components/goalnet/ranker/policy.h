@@ -5,10 +5,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "components/goalnet/random.h"
 #include "components/goalnet/ranker/candidates.h"
 #include "components/goalnet/ranker/features.h"
 #include "components/goalnet/ranker/log_linear.h"
-#include "components/goalnet/random.h"
 #include "components/goalnet/ranker/run_pool.h"
 
 namespace goalnet::inference {
@@ -24,7 +24,8 @@ struct Moment {
 Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const Places& places,
                    std::span<const NeighbourVote> votes, const PartialRun& run);
 
-// Rolls the policy out for one instruction; moments seen before are remembered, so that many samples cost little.
+// Rolls the policy out for one instruction; moments seen before are remembered, so that many samples cost
+// little.
 class Rollout {
  public:
   Rollout(const std::vector<const LogLinear*>& models, const Instruction& instruction, const Lexicon& lexicon,

@@ -4,8 +4,9 @@
 
 namespace goalnet::inference {
 
-std::vector<Decision> decisions_of(const Example& example, const Instruction& instruction, const Lexicon& lexicon,
-                                   const Places& places, std::span<const NeighbourVote> votes) {
+std::vector<Decision> decisions_of(const Example& example, const Instruction& instruction,
+                                   const Lexicon& lexicon, const Places& places,
+                                   std::span<const NeighbourVote> votes) {
   std::vector<Decision> decisions;
   PartialRun run;
   run.start = example.states.front();
@@ -38,7 +39,8 @@ Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& 
   for (const Example* example : examples) {
     const Instruction& instruction = grounding ? example->given : example->none;
     // As it will be in use: the neighbours come from other scenarios.
-    const auto near = ranker.neighbours.nearest(instruction, example->states.front(), options.neighbours, example->scenario);
+    const auto near = ranker.neighbours.nearest(instruction, example->states.front(), options.neighbours,
+                                                example->scenario);
     auto more = decisions_of(*example, instruction, lexicon, ranker.places, votes(near));
     std::move(more.begin(), more.end(), std::back_inserter(decisions));
   }
@@ -46,8 +48,8 @@ Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& 
   return ranker;
 }
 
-std::vector<CandidateRun> propose(const Ranker& ranker, const Lexicon& lexicon, const Instruction& instruction,
-                                  const SymState& start, std::uint64_t seed) {
+std::vector<CandidateRun> propose(const Ranker& ranker, const Lexicon& lexicon,
+                                  const Instruction& instruction, const SymState& start, std::uint64_t seed) {
   const RankerOptions& options = ranker.options;
   const auto near = ranker.neighbours.nearest(instruction, start, options.neighbours);
   const auto neighbour_votes = votes(near);

@@ -14,12 +14,12 @@
 namespace goalnet::inference {
 
 struct RankerOptions {
-  std::size_t neighbours = 20;   // asked for votes
-  std::size_t replays = 8;       // of these, replayed as candidate runs
-  std::size_t samples = 40;      // runs drawn from the policy
+  std::size_t neighbours = 20;  // asked for votes
+  std::size_t replays = 8;      // of these, replayed as candidate runs
+  std::size_t samples = 40;     // runs drawn from the policy
   float temperature = 1.0f;
-  float greedy_weight = 2.0f;    // of the greedy run, in samples
-  float replay_weight = 8.0f;    // of a replay, in samples, times the similarity
+  float greedy_weight = 2.0f;  // of the greedy run, in samples
+  float replay_weight = 8.0f;  // of a replay, in samples, times the similarity
   LogLinearOptions training;
 };
 
@@ -36,14 +36,15 @@ Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& 
                     const RankerOptions& options, const std::function<bool(int, double)>& progress = {});
 
 // Candidate runs with their weights; equal runs are merged (weights added). The greedy run comes first.
-std::vector<CandidateRun> propose(const Ranker& ranker, const Lexicon& lexicon, const Instruction& instruction,
-                                  const SymState& start, std::uint64_t seed);
+std::vector<CandidateRun> propose(const Ranker& ranker, const Lexicon& lexicon,
+                                  const Instruction& instruction, const SymState& start, std::uint64_t seed);
 
 // For each run the weighted mean agreement with all of the pool (minimum Bayes risk).
 std::vector<Agreement> expected_agreement(const std::vector<CandidateRun>& pool);
 
 // The runs compressed again: replays and samples as decisions for training.
-std::vector<Decision> decisions_of(const Example& example, const Instruction& instruction, const Lexicon& lexicon,
-                                   const Places& places, std::span<const NeighbourVote> votes);
+std::vector<Decision> decisions_of(const Example& example, const Instruction& instruction,
+                                   const Lexicon& lexicon, const Places& places,
+                                   std::span<const NeighbourVote> votes);
 
 }  // namespace goalnet::inference

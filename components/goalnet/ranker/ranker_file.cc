@@ -1,5 +1,6 @@
-// The ranker's model file. Metadata: kind, language (the JSON of words and things), names, options, fingerprint,
-// command. Tensors, for each of "given" and "none": the policy's weights and the remembered demonstrations.
+// The ranker's model file. Metadata: kind, language (the JSON of words and things), names, options,
+// fingerprint, command. Tensors, for each of "given" and "none": the policy's weights and the remembered
+// demonstrations.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,11 +28,16 @@ std::uint32_t get_hash(const float* at) {
 }
 
 json options_json(const RankerOptions& options) {
-  return {{"neighbours", options.neighbours},       {"replays", options.replays},
-          {"samples", options.samples},             {"temperature", options.temperature},
-          {"greedy_weight", options.greedy_weight}, {"replay_weight", options.replay_weight},
-          {"epochs", options.training.epochs},      {"rate", options.training.rate},
-          {"decay", options.training.decay},        {"seed", options.training.seed}};
+  return {{"neighbours", options.neighbours},
+          {"replays", options.replays},
+          {"samples", options.samples},
+          {"temperature", options.temperature},
+          {"greedy_weight", options.greedy_weight},
+          {"replay_weight", options.replay_weight},
+          {"epochs", options.training.epochs},
+          {"rate", options.training.rate},
+          {"decay", options.training.decay},
+          {"seed", options.training.seed}};
 }
 
 RankerOptions options_from(const json& j) {
@@ -60,13 +66,14 @@ class NameList {
   std::vector<std::string> names_;
 };
 
-Expected<void> write_one(SafeTensorsWriter& writer, const std::string& prefix, const Ranker& ranker, NameList& names,
-                         const Symbols& symbols) {
+Expected<void> write_one(SafeTensorsWriter& writer, const std::string& prefix, const Ranker& ranker,
+                         NameList& names, const Symbols& symbols) {
   if (auto ok = writer.add(prefix + ".policy", {kFeatureBuckets}, ranker.policy.weights()); !ok) return ok;
   if (!ranker.reranker.empty()) {
     std::vector<float> nodes, roots(ranker.reranker.roots().begin(), ranker.reranker.roots().end());
     for (const BoostedTrees::Node& node : ranker.reranker.nodes())
-      for (const float value : {static_cast<float>(node.feature), node.threshold, static_cast<float>(node.left), static_cast<float>(node.right)})
+      for (const float value : {static_cast<float>(node.feature), node.threshold,
+                                static_cast<float>(node.left), static_cast<float>(node.right)})
         nodes.push_back(value);
     if (auto ok = writer.add(prefix + ".trees.nodes", {nodes.size() / 4, 4}, nodes); !ok) return ok;
     if (auto ok = writer.add(prefix + ".trees.roots", {roots.size()}, roots); !ok) return ok;
@@ -87,7 +94,8 @@ Expected<void> write_one(SafeTensorsWriter& writer, const std::string& prefix, c
   const auto add = [&](const char* what, std::uint64_t columns, const std::vector<float>& values) {
     return writer.add(prefix + ".memory." + what, {values.size() / columns, columns}, values);
   };
-  for (const auto& result : {add("terms", 3, terms), add("mentions", 2, mentions), add("steps", 7, steps), add("counts", 3, counts)})
+  for (const auto& result : {add("terms", 3, terms), add("mentions", 2, mentions), add("steps", 7, steps),
+                             add("counts", 3, counts)})
     if (!result) return result;
   return {};
 }
@@ -109,8 +117,9 @@ class Rows {
 
 bool is_count(float value, float most) { return value >= 0 && value <= most && value == std::floor(value); }
 
-Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix, const std::vector<Symbol>& names,
-                          const RankerOptions& options, std::size_t classes) {
+Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix,
+                          const std::vector<Symbol>& names, const RankerOptions& options,
+                          std::size_t classes) {
   Ranker ranker;
   ranker.options = options;
   const std::uint64_t policy_shape[] = {kFeatureBuckets};
@@ -121,11 +130,13 @@ Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix, co
     const std::uint64_t shape[] = {0, columns};
     return file.floats(prefix + ".memory." + what, shape);
   };
-  const auto terms = table("terms", 3), mentions = table("mentions", 2), steps = table("steps", 7), counts = table("counts", 3);
+  const auto terms = table("terms", 3), mentions = table("mentions", 2), steps = table("steps", 7),
+             counts = table("counts", 3);
   for (const auto* tensor : {&terms, &mentions, &steps, &counts})
     if (!*tensor) return tl::unexpected(tensor->error());
   const auto bad = [&] {
-    return fail(Outcome::kInvalidRequest, file.name() + ": the memories of \"" + prefix + "\" are inconsistent");
+    return fail(Outcome::kInvalidRequest,
+                file.name() + ": the memories of \"" + prefix + "\" are inconsistent");
   };
   Rows term_rows(*terms, 3), mention_rows(*mentions, 2), step_rows(*steps, 7), count_rows(*counts, 3);
   std::vector<Memory> memories;
@@ -147,9 +158,12 @@ Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix, co
     for (int i = 0; i < static_cast<int>(count[2]); ++i) {
       const float* row = step_rows.next();
       const float most_name = static_cast<float>(names.size()) - 1;
-      if (!row || !is_count(row[0], kVerbs - 1) || !is_count(row[1], most_name) || !is_count(row[2], most_name)) return bad();
+      if (!row || !is_count(row[0], kVerbs - 1) || !is_count(row[1], most_name) ||
+          !is_count(row[2], most_name))
+        return bad();
       for (int k = 3; k < 5; ++k)
-        if (!is_count(row[k], 65535) || (row[k] >= static_cast<float>(classes) && row[k] != kNoClass)) return bad();
+        if (!is_count(row[k], 65535) || (row[k] >= static_cast<float>(classes) && row[k] != kNoClass))
+          return bad();
       for (int k = 5; k < 7; ++k)
         if (!is_count(row[k] + 1, 1000)) return bad();
       memory.steps.push_back({.action = {static_cast<Verb>(row[0]), names[static_cast<std::size_t>(row[1])],
@@ -165,7 +179,8 @@ Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix, co
   ranker.neighbours = Neighbours(std::move(memories));
   if (!file.contains(prefix + ".trees.nodes")) return ranker;
   const std::uint64_t node_shape[] = {0, 4}, root_shape[] = {0};
-  const auto nodes = file.floats(prefix + ".trees.nodes", node_shape), roots = file.floats(prefix + ".trees.roots", root_shape);
+  const auto nodes = file.floats(prefix + ".trees.nodes", node_shape),
+             roots = file.floats(prefix + ".trees.roots", root_shape);
   for (const auto* tensor : {&nodes, &roots})
     if (!*tensor) return tl::unexpected(tensor->error());
   constexpr float kMost = 1 << 24;  // whole numbers up to here are exact in a float
@@ -173,7 +188,8 @@ Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix, co
   Rows node_rows(*nodes, 4);
   while (const float* row = node_rows.next()) {
     if (!is_count(row[0] + 1, kMost) || !is_count(row[2], kMost) || !is_count(row[3], kMost)) return bad();
-    tree_nodes.push_back({static_cast<std::int32_t>(row[0]), row[1], static_cast<std::int32_t>(row[2]), static_cast<std::int32_t>(row[3])});
+    tree_nodes.push_back({static_cast<std::int32_t>(row[0]), row[1], static_cast<std::int32_t>(row[2]),
+                          static_cast<std::int32_t>(row[3])});
   }
   std::vector<std::int32_t> tree_roots;
   for (const float value : roots->values) {
@@ -217,8 +233,9 @@ Expected<void> write_ranker(const RankerParts& parts, const std::string& path) {
   writer.metadata("goalnet.language", parts.lexicon->source());
   writer.metadata("goalnet.names", json(names.names()).dump());
   writer.metadata("goalnet.vocabulary", json(parts.known_words).dump());
-  writer.metadata("goalnet.config", json{{"options", options_json(parts.given.options)},
-                                         {"places", places(parts.given.places)}}.dump());
+  writer.metadata(
+      "goalnet.config",
+      json{{"options", options_json(parts.given.options)}, {"places", places(parts.given.places)}}.dump());
   writer.metadata("goalnet.data_fingerprint", parts.fingerprint);
   writer.metadata("goalnet.command", parts.command);
   return writer.write(path);
@@ -226,14 +243,16 @@ Expected<void> write_ranker(const RankerParts& parts, const std::string& path) {
 
 Expected<RankerParts> read_ranker(const SafeTensors& file) {
   std::map<std::string, std::string> texts;
-  for (const char* key : {"version", "language", "names", "vocabulary", "config", "data_fingerprint", "command"}) {
+  for (const char* key :
+       {"version", "language", "names", "vocabulary", "config", "data_fingerprint", "command"}) {
     auto text = file.metadata(std::string("goalnet.") + key);
     if (!text) return tl::unexpected(text.error());
     texts[key] = std::move(*text);
   }
   if (texts["version"] != std::to_string(kVersion))
-    return fail(Outcome::kInvalidRequest, file.name() + ": model version " + texts["version"] + "; this program reads version " +
-                                              std::to_string(kVersion) + "; train it again");
+    return fail(Outcome::kInvalidRequest, file.name() + ": model version " + texts["version"] +
+                                              "; this program reads version " + std::to_string(kVersion) +
+                                              "; train it again");
   auto parts = make_parts(texts["language"], file.name() + " (goalnet.language)");
   if (!parts) return parts;
   try {

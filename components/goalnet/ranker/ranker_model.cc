@@ -41,7 +41,8 @@ Goal to_goal(const SymDelta& change, const Symbols& symbols, double confidence) 
   return goal;
 }
 
-// What an action is for, without its side effects: a robot that puts a mug down need not be told to let go of it.
+// What an action is for, without its side effects: a robot that puts a mug down need not be told to let go of
+// it.
 SymDelta purpose(const SymAction& action, const SymState& before, const std::vector<SymAction>& run) {
   SymState after = before;
   apply(action, after);
@@ -56,9 +57,10 @@ SymDelta purpose(const SymAction& action, const SymState& before, const std::vec
   std::erase_if(change.removed, means);
   // Water that runs over what stands in the sink anyway is no purpose; only over what this run put there.
   std::erase_if(change.added, [&](SymFact fact) {
-    return relation_of(fact) == Relation::kState && object_of(fact) == kWater && subject_of(fact) != action.x &&
-           subject_of(fact) != action.y &&
-           std::none_of(run.begin(), run.end(), [&](const SymAction& other) { return other.x == subject_of(fact); });
+    return relation_of(fact) == Relation::kState && object_of(fact) == kWater &&
+           subject_of(fact) != action.x && subject_of(fact) != action.y &&
+           std::none_of(run.begin(), run.end(),
+                        [&](const SymAction& other) { return other.x == subject_of(fact); });
   });
   return change;
 }
@@ -118,7 +120,8 @@ RankerModel::Decoded RankerModel::decode_benchmark(const Instruction& instructio
   const auto features =
       run_features(pool, instruction, start, play(start, understanding.macros), understanding.complete);
   const std::size_t best = choose_run(ranker.reranker, pool, features);
-  const double confidence = std::clamp(static_cast<double>(features[best][4]), 0.0, 1.0);  // expected agreement
+  const double confidence =
+      std::clamp(static_cast<double>(features[best][4]), 0.0, 1.0);  // expected agreement
   Decoded decoded;
   SymState now = start;
   for (const SymAction& action : pool[best].actions) {
@@ -130,15 +133,17 @@ RankerModel::Decoded RankerModel::decode_benchmark(const Instruction& instructio
   return decoded;
 }
 
-// Whether a run does the same kinds of things with the same kinds of objects as the reading: it may choose among
-// instances, but adds nothing that nobody asked for and leaves nothing out.
-bool RankerModel::same_kind(const CandidateRun& run, const CandidateRun& reading, const Instruction& instruction) const {
+// Whether a run does the same kinds of things with the same kinds of objects as the reading: it may choose
+// among instances, but adds nothing that nobody asked for and leaves nothing out.
+bool RankerModel::same_kind(const CandidateRun& run, const CandidateRun& reading,
+                            const Instruction& instruction) const {
   const auto kinds = [&](const CandidateRun& of) {
     std::vector<std::array<int, 3>> list;
     for (const SymAction& action : of.macros) {
       const auto kind = [&](Symbol symbol) {
         const int found = instruction.find(symbol);
-        return found < 0 ? 100000 + symbol : static_cast<int>(instruction.objects[static_cast<std::size_t>(found)].class_id);
+        return found < 0 ? 100000 + symbol
+                         : static_cast<int>(instruction.objects[static_cast<std::size_t>(found)].class_id);
       };
       list.push_back({static_cast<int>(action.verb), kind(action.x), kind(action.y)});
     }
@@ -158,14 +163,15 @@ RankerModel::Decoded RankerModel::decode_robot(const Instruction& instruction, c
     decoded.refusal = {Outcome::kNotUnderstood, "not understood: " + why};
   };
   if (!understanding.complete) {
-    refuse(understanding.problems.empty() ? "nothing here can be done about that" : understanding.problems.front());
+    refuse(understanding.problems.empty() ? "nothing here can be done about that"
+                                          : understanding.problems.front());
     return decoded;
   }
   if (understanding.macros.empty()) return decoded;  // all of it holds already
   const Ranker& ranker = instruction.grounding_given ? parts_.given : parts_.none;
   auto pool = propose(ranker, *parts_.lexicon, instruction, start, seed);
-  // The grammatical reading has as much say as everything learned; the learned runs tell which of several readings,
-  // and how sure to be.
+  // The grammatical reading has as much say as everything learned; the learned runs tell which of several
+  // readings, and how sure to be.
   CandidateRun read = play(start, understanding.macros);
   read.source = 3;
   read.weight = 1.0f;

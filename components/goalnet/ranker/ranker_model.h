@@ -1,5 +1,5 @@
-// The shipped goal model: the feature-sharing ranker with minimum-Bayes-risk decoding, and the reading of plain
-// instructions by their grammar beside it.
+// The shipped goal model: the feature-sharing ranker with minimum-Bayes-risk decoding, and the reading of
+// plain instructions by their grammar beside it.
 #pragma once
 
 #include <memory>
@@ -17,11 +17,11 @@ namespace goalnet::inference {
 // Everything a trained model consists of.
 struct RankerParts {
   Symbols symbols;
-  std::unique_ptr<Lexicon> lexicon;     // Language refers to it
+  std::unique_ptr<Lexicon> lexicon;  // Language refers to it
   std::unique_ptr<Language> language;
-  std::vector<std::string> known_words; // of the training sentences
-  Ranker given, none;                   // trained with and without the demonstrations' grounding
-  std::string fingerprint, command;     // of the data; what trained it
+  std::vector<std::string> known_words;  // of the training sentences
+  Ranker given, none;                    // trained with and without the demonstrations' grounding
+  std::string fingerprint, command;      // of the data; what trained it
 };
 
 // Lexicon and Language from the text of config/language/household.json.

@@ -49,7 +49,8 @@ std::vector<RunFeatures> run_features(const std::vector<CandidateRun>& pool, con
     const auto put = [&](double value) { row[column++] = static_cast<float>(value); };
     const Agreement sampled = weighted(pool, i, &CandidateRun::sampled);
     const Agreement replayed = weighted(pool, i, &CandidateRun::replayed);
-    for (const Agreement& a : {all[i], sampled, replayed}) put(a.sji), put(a.f1), put(a.ied), put(a.grr), put(a.mean());
+    for (const Agreement& a : {all[i], sampled, replayed})
+      put(a.sji), put(a.f1), put(a.ied), put(a.grr), put(a.mean());
     put(all[i].mean() - best);
     put(best);
     put(run.weight), put(run.sampled), put(run.replayed), put(i == 0);
@@ -77,12 +78,14 @@ std::vector<RunFeatures> run_features(const std::vector<CandidateRun>& pool, con
     for (const int mention : named_mentions) left_out += !handled.contains(mention);
     put(unnamed), put(named), put(left_out), put(static_cast<double>(named_mentions.size()));
     const Agreement read = agreement(run, reading);
-    put(read.sji), put(read.ied), put(read.grr), put(agreement(reading, run).grr), put(complete), put(!reading.actions.empty());
+    put(read.sji), put(read.ied), put(read.grr), put(agreement(reading, run).grr), put(complete),
+        put(!reading.actions.empty());
     float held_at_end = 0;
     for (const SymFact fact : run.end.facts()) held_at_end += relation_of(fact) == Relation::kGrasping;
     put(held_at_start), put(held_at_end);
     put(static_cast<double>(instruction.words.size()));
-    for (const Verb verb : {Verb::kMoveTo, Verb::kGrasp, Verb::kRelease, Verb::kKeepOn, Verb::kTurn, Verb::kOpen, Verb::kClose, Verb::kPress})
+    for (const Verb verb : {Verb::kMoveTo, Verb::kGrasp, Verb::kRelease, Verb::kKeepOn, Verb::kTurn,
+                            Verb::kOpen, Verb::kClose, Verb::kPress})
       put(verbs[static_cast<std::size_t>(verb)]);
     put(run.macros.empty() ? 0 : static_cast<double>(run.macros.back().verb));
   }
@@ -113,8 +116,8 @@ CandidateRun demonstrated_run(const Example& example) {
   return truth;
 }
 
-BoostedTrees train_reranker(const std::vector<const Example*>& examples, const Lexicon& lexicon, bool grounding,
-                            const RankerOptions& options, const Reader& reader,
+BoostedTrees train_reranker(const std::vector<const Example*>& examples, const Lexicon& lexicon,
+                            bool grounding, const RankerOptions& options, const Reader& reader,
                             const std::function<bool(double)>& progress) {
   std::set<std::string> scenarios;
   for (const Example* example : examples) scenarios.insert(example->scenario);
@@ -123,8 +126,10 @@ BoostedTrees train_reranker(const std::vector<const Example*>& examples, const L
   for (int fold = 0; fold < kFolds; ++fold) {
     std::vector<const Example*> seen, unseen;
     for (const Example* example : examples) {
-      if (folds.fold_of(example->scenario) != fold) seen.push_back(example);
-      else if (!example->perturbed) unseen.push_back(example);
+      if (folds.fold_of(example->scenario) != fold)
+        seen.push_back(example);
+      else if (!example->perturbed)
+        unseen.push_back(example);
     }
     const Ranker ranker = train_ranker(seen, lexicon, grounding, options);
     for (const Example* example : unseen) {

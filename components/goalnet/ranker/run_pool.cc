@@ -23,7 +23,9 @@ std::size_t common(const std::vector<SymFact>& a, const std::vector<SymFact>& b)
 
 // As the published evaluation spells actions: "keep in" counts as "keep on".
 bool same(const SymAction& a, const SymAction& b) {
-  const auto kind = [](Verb verb) { return verb == Verb::kKeepIn || verb == Verb::kKeepNear ? Verb::kKeepOn : verb; };
+  const auto kind = [](Verb verb) {
+    return verb == Verb::kKeepIn || verb == Verb::kKeepNear ? Verb::kKeepOn : verb;
+  };
   return kind(a.verb) == kind(b.verb) && a.x == b.x && a.y == b.y;
 }
 
@@ -39,7 +41,8 @@ float edit_agreement(const std::vector<SymAction>& left, const std::vector<SymAc
     for (std::size_t j = 1; j <= m; ++j) {
       const auto swapped = static_cast<std::uint16_t>(diagonal + (same(left[i - 1], right[j - 1]) ? 0 : 1));
       diagonal = row[j];
-      row[j] = std::min({static_cast<std::uint16_t>(row[j] + 1), static_cast<std::uint16_t>(row[j - 1] + 1), swapped});
+      row[j] = std::min(
+          {static_cast<std::uint16_t>(row[j] + 1), static_cast<std::uint16_t>(row[j - 1] + 1), swapped});
     }
   }
   return 1 - static_cast<float>(row[m]) / static_cast<float>(std::max(n, m));

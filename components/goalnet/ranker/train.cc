@@ -23,13 +23,15 @@ std::vector<std::string> vocabulary(const std::vector<Demonstration>& demonstrat
 
 std::string hexadecimal(std::uint64_t value) {
   std::string text(16, '0');
-  for (int i = 15; i >= 0; --i, value >>= 4) text[static_cast<std::size_t>(i)] = "0123456789abcdef"[value & 15];
+  for (int i = 15; i >= 0; --i, value >>= 4)
+    text[static_cast<std::size_t>(i)] = "0123456789abcdef"[value & 15];
   return text;
 }
 
 }  // namespace
 
-Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations, const TrainingOptions& options) {
+Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations,
+                            const TrainingOptions& options) {
   auto parts = make_parts(options.language_json, "language");
   if (!parts) return parts;
   parts->known_words = vocabulary(demonstrations);
@@ -54,13 +56,15 @@ Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations, co
     };
     Ranker& ranker = grounding ? parts->given : parts->none;
     ranker = train_ranker(all, *parts->lexicon, grounding, options.ranker, [&](int epoch, double loss) {
-      return tell("ranker: epoch " + std::to_string(epoch + 1) + ", loss " + std::to_string(loss).substr(0, 6),
-                  (epoch + 1.0) / options.ranker.training.epochs / 6);
+      return tell(
+          "ranker: epoch " + std::to_string(epoch + 1) + ", loss " + std::to_string(loss).substr(0, 6),
+          (epoch + 1.0) / options.ranker.training.epochs / 6);
     });
     if (options.rerank && !stopped)
-      ranker.reranker = train_reranker(all, *parts->lexicon, grounding, options.ranker, reader, [&](double part) {
-        return tell("re-ranker: candidate runs for unseen scenarios", 1.0 / 6 + part * 5 / 6);
-      });
+      ranker.reranker =
+          train_reranker(all, *parts->lexicon, grounding, options.ranker, reader, [&](double part) {
+            return tell("re-ranker: candidate runs for unseen scenarios", 1.0 / 6 + part * 5 / 6);
+          });
     if (stopped) return fail(Outcome::kCancelled, "training was stopped");
     base = 0.5;
   }

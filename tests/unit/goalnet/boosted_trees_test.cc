@@ -19,7 +19,8 @@ TEST(BoostedTrees, LearnAStepAndAnInteraction) {
   EXPECT_GT(trees.predict(std::vector<float>{0.9f, 0.9f, 0.5f}), 0.8f);
   EXPECT_LT(trees.predict(std::vector<float>{0.9f, 0.1f, 0.5f}), 0.2f);
   const auto again = BoostedTrees::train(rows, 3, targets, {});
-  EXPECT_EQ(trees.predict(std::vector<float>{0.2f, 0.6f, 0.1f}), again.predict(std::vector<float>{0.2f, 0.6f, 0.1f}));
+  EXPECT_EQ(trees.predict(std::vector<float>{0.2f, 0.6f, 0.1f}),
+            again.predict(std::vector<float>{0.2f, 0.6f, 0.1f}));
 }
 
 TEST(BoostedTrees, RefuseTreesThatWouldNotEnd) {

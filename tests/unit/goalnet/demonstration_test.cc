@@ -10,7 +10,8 @@
 namespace goalnet::inference {
 namespace {
 
-constexpr const char* kGood = R"json({"sent": "grasp the mug", "filename": "7", "arg_mapping": {"mug": ["(Mug_1)"]},
+constexpr const char* kGood =
+    R"json({"sent": "grasp the mug", "filename": "7", "arg_mapping": {"mug": ["(Mug_1)"]},
   "initial_states": [["(IsGraspable Mug_1)", "(Near Robot Mug_1)"], ["(IsGraspable Mug_1)", "(Grasping Robot Mug_1)"]],
   "action_seq": ["grasp Mug_1", "noop"]})json";
 
@@ -53,27 +54,32 @@ TEST_P(BadDemonstration, IsRefusedWithItsNameAndReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     Faults, BadDemonstration,
-    testing::Values(Fault{"", "JSON"}, Fault{"[1, 2]", "object"}, Fault{"{\"sent\": 3}", "sent"},
-                    Fault{"{\"sent\": \"a\"}", "initial_states"},
-                    Fault{"{\"sent\": \"a\", \"initial_states\": []}", "empty"},
-                    Fault{"{\"sent\": \"a\", \"initial_states\": [3]}", "initial_states[0]"},
-                    Fault{"{\"sent\": \"a\", \"initial_states\": [[3]]}", "On Mug_1 Sink"},
-                    Fault{"{\"sent\": \"a\", \"initial_states\": [[\"(On Mug_1\"]]}", "parentheses"},
-                    Fault{"{\"sent\": \"a\", \"initial_states\": [[]]}", "action_seq"},
-                    Fault{"{\"sent\": \"a\", \"initial_states\": [[]], \"action_seq\": [1]}", "action_seq"},
-                    Fault{"{\"sent\": \"a\", \"initial_states\": [[]], \"action_seq\": [\"fly Mug_1\"]}", "states"},
-                    Fault{"{\"sent\": \"a\", \"arg_mapping\": [], \"initial_states\": [[]], \"action_seq\": []}", "arg_mapping"},
-                    Fault{"{\"sent\": \"a\", \"arg_mapping\": {\"x\": 1}, \"initial_states\": [[]], \"action_seq\": []}", "arg_mapping.x"}));
+    testing::Values(
+        Fault{"", "JSON"}, Fault{"[1, 2]", "object"}, Fault{"{\"sent\": 3}", "sent"},
+        Fault{"{\"sent\": \"a\"}", "initial_states"},
+        Fault{"{\"sent\": \"a\", \"initial_states\": []}", "empty"},
+        Fault{"{\"sent\": \"a\", \"initial_states\": [3]}", "initial_states[0]"},
+        Fault{"{\"sent\": \"a\", \"initial_states\": [[3]]}", "On Mug_1 Sink"},
+        Fault{"{\"sent\": \"a\", \"initial_states\": [[\"(On Mug_1\"]]}", "parentheses"},
+        Fault{"{\"sent\": \"a\", \"initial_states\": [[]]}", "action_seq"},
+        Fault{"{\"sent\": \"a\", \"initial_states\": [[]], \"action_seq\": [1]}", "action_seq"},
+        Fault{"{\"sent\": \"a\", \"initial_states\": [[]], \"action_seq\": [\"fly Mug_1\"]}", "states"},
+        Fault{"{\"sent\": \"a\", \"arg_mapping\": [], \"initial_states\": [[]], \"action_seq\": []}",
+              "arg_mapping"},
+        Fault{"{\"sent\": \"a\", \"arg_mapping\": {\"x\": 1}, \"initial_states\": [[]], \"action_seq\": []}",
+              "arg_mapping.x"}));
 
 TEST(Demonstration, OneStateAndNoActionIsFine) {
-  const auto d = parse_demonstration(R"({"sent": "", "initial_states": [[]], "action_seq": ["noop"]})", "1_1.json");
+  const auto d =
+      parse_demonstration(R"({"sent": "", "initial_states": [[]], "action_seq": ["noop"]})", "1_1.json");
   ASSERT_TRUE(d) << d.error().message;
   EXPECT_TRUE(d->steps.empty());
 }
 
 TEST(Demonstrations, FolderFaultsAreTold) {
   EXPECT_FALSE(read_demonstrations("/nowhere/at/all"));
-  const auto folder = std::filesystem::temp_directory_path() / ("goalnet_demonstrations_" + std::to_string(::getpid()));
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("goalnet_demonstrations_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   EXPECT_NE(read_demonstrations(folder).error().message.find("no demonstrations"), std::string::npos);
   std::ofstream(folder / "2_1.json") << kGood;

@@ -7,7 +7,8 @@ namespace {
 
 class Planner : public testing::Test {
  protected:
-  std::optional<std::vector<std::string>> plan(std::vector<const char*> facts, std::vector<const char*> positive,
+  std::optional<std::vector<std::string>> plan(std::vector<const char*> facts,
+                                               std::vector<const char*> positive,
                                                std::vector<const char*> negative = {}) {
     const auto parse = [](const std::vector<const char*>& texts) {
       std::vector<Predicate> list;
@@ -29,8 +30,9 @@ class Planner : public testing::Test {
 TEST_F(Planner, NothingToDo) { EXPECT_EQ(plan({"(On Mug_1 Sink)"}, {"(On Mug_1 Sink)"}), Texts{}); }
 
 TEST_F(Planner, OneAction) {
-  EXPECT_EQ(plan({"(Grasping Robot Mug_1)", "(Near Robot Sink)"}, {"(On Mug_1 Sink)"}, {"(Grasping Robot Mug_1)"}),
-            Texts{"keep Mug_1 On Sink"});
+  EXPECT_EQ(
+      plan({"(Grasping Robot Mug_1)", "(Near Robot Sink)"}, {"(On Mug_1 Sink)"}, {"(Grasping Robot Mug_1)"}),
+      Texts{"keep Mug_1 On Sink"});
   EXPECT_EQ(plan({"(Grasping Robot Mug_1)"}, {}, {"(Grasping Robot Mug_1)"}), Texts{"release Mug_1"});
 }
 

@@ -1,5 +1,6 @@
-// Plain instructions and nonsense (tests/data/instructions): does the shipped model do what any sane person would want,
-// and refuse what means nothing? Only counts are asserted and printed, so that the held-out part stays held out.
+// Plain instructions and nonsense (tests/data/instructions): does the shipped model do what any sane person
+// would want, and refuse what means nothing? Only counts are asserted and printed, so that the held-out part
+// stays held out.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -87,7 +88,8 @@ class Instructions : public testing::Test {
       }
       const FactSet before = world.facts;
       for (const Predicate& old : before)  // what is held stands nowhere
-        if (fact.relation == "Grasping" && old.subject == fact.object && (old.relation == "On" || old.relation == "In"))
+        if (fact.relation == "Grasping" && old.subject == fact.object &&
+            (old.relation == "On" || old.relation == "In"))
           world.facts.erase(old);
       world.facts.insert(fact);
     }
@@ -102,7 +104,8 @@ class Instructions : public testing::Test {
     std::vector<Goal> goals;
     SymState now = to_sym_state(world.facts, symbols);
     for (int step = 0; step < 30; ++step) {
-      const auto goal = model->infer({.sentence = sentence, .grounding = nullptr, .states = states, .goals = goals});
+      const auto goal =
+          model->infer({.sentence = sentence, .grounding = nullptr, .states = states, .goals = goals});
       if (!goal) return std::nullopt;
       if (goal->empty()) break;
       const auto plan = planner.plan(to_sym_goal(*goal, symbols), now);

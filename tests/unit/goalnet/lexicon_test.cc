@@ -54,7 +54,9 @@ TEST(Lexicon, CompletesTheRoomOfAState) {
   WorldState state;
   state.objects = {"Kettle", "Mug_1", "Robot", "Sink"};
   lexicon.complete_objects(state);
-  const auto has = [&](const char* name) { return std::count(state.objects.begin(), state.objects.end(), name) == 1; };
+  const auto has = [&](const char* name) {
+    return std::count(state.objects.begin(), state.objects.end(), name) == 1;
+  };
   EXPECT_TRUE(has("StoveFire_3"));
   EXPECT_TRUE(has("Microwave"));
   EXPECT_FALSE(has("Tv_1"));
@@ -62,7 +64,8 @@ TEST(Lexicon, CompletesTheRoomOfAState) {
 
 TEST(Lexicon, BadFilesAreRefused) {
   Symbols symbols;
-  for (const char* text : {"", "{}", "[]", R"({"classes": {"mug": 3}})", R"({"classes": {}, "objects": [], "rooms": 1})"}) {
+  for (const char* text :
+       {"", "{}", "[]", R"({"classes": {"mug": 3}})", R"({"classes": {}, "objects": [], "rooms": 1})"}) {
     const auto lexicon = Lexicon::parse(text, "words.json", symbols);
     ASSERT_FALSE(lexicon) << text;
     EXPECT_NE(lexicon.error().message.find("words.json"), std::string::npos);

@@ -30,13 +30,17 @@ class OddWorlds : public testing::Test {
 };
 
 TEST_F(OddWorlds, NoStateIsRefused) {
-  EXPECT_EQ(model->infer({.sentence = "grab the mug", .grounding = nullptr, .states = {}, .goals = {}}).error().outcome, Outcome::kInvalidRequest);
+  EXPECT_EQ(model->infer({.sentence = "grab the mug", .grounding = nullptr, .states = {}, .goals = {}})
+                .error()
+                .outcome,
+            Outcome::kInvalidRequest);
 }
 
 TEST_F(OddWorlds, NoObjects) { EXPECT_EQ(ask("grab the mug", {}).error().outcome, Outcome::kNotUnderstood); }
 
 TEST_F(OddWorlds, EmptyInstruction) {
-  for (const char* text : {"", "   ", ".", "!!!"}) EXPECT_EQ(ask(text, world({"Mug_1"}, {"(IsGraspable Mug_1)"})).error().outcome, Outcome::kNotUnderstood);
+  for (const char* text : {"", "   ", ".", "!!!"})
+    EXPECT_EQ(ask(text, world({"Mug_1"}, {"(IsGraspable Mug_1)"})).error().outcome, Outcome::kNotUnderstood);
 }
 
 TEST_F(OddWorlds, TextThatIsNoText) {
@@ -53,15 +57,18 @@ TEST_F(OddWorlds, UnknownClassesCanBeNamed) {
 }
 
 TEST_F(OddWorlds, ContradictoryFactsStillHaveAnAnswer) {
-  const auto goal = ask("put the mug in the sink", world({"Robot", "Mug_1", "Sink", "Counter_1"},
-                                                       {"(IsGraspable Mug_1)", "(Grasping Robot Mug_1)", "(On Mug_1 Counter_1)",
-                                                        "(On Mug_1 Mug_1)", "(In Mug_1 Microwave)", "(Near Mug_1 Mug_1)"}));
+  const auto goal = ask("put the mug in the sink",
+                        world({"Robot", "Mug_1", "Sink", "Counter_1"},
+                              {"(IsGraspable Mug_1)", "(Grasping Robot Mug_1)", "(On Mug_1 Counter_1)",
+                               "(On Mug_1 Mug_1)", "(In Mug_1 Microwave)", "(Near Mug_1 Mug_1)"}));
   ASSERT_TRUE(goal) << goal.error().message;
   EXPECT_EQ(goal->positive, (std::vector<Predicate>{{"On", "Mug_1", "Sink"}}));
 }
 
 TEST_F(OddWorlds, FactsFromElsewhereAreIgnored) {
-  const auto goal = ask("grab the mug", world({"Robot", "Mug_1"}, {"(IsGraspable Mug_1)", "(Held Spoon_1 LeftHand)", "(Colour Mug_1 Red)"}));
+  const auto goal = ask(
+      "grab the mug",
+      world({"Robot", "Mug_1"}, {"(IsGraspable Mug_1)", "(Held Spoon_1 LeftHand)", "(Colour Mug_1 Red)"}));
   ASSERT_TRUE(goal);
   EXPECT_EQ(goal->positive.front().object, "Mug_1");
 }

@@ -35,8 +35,11 @@ std::vector<Demonstration> people() {
     d.sentence = put ? "put the " + word + " in the sink" : "grab the " + word;
     Symbols symbols;
     std::vector<Predicate> facts;
-    for (const char* name : kObjects) facts.push_back({"IsGraspable", name, ""}), facts.push_back({"On", name, "StoveFire_1"});
-    d.states.push_back({{"Counter_1", "Robot", "Sink", "SinkKnob", "StoveFire_1", "Mug_1", "Kettle", "Glass_1", "Plate_1", "Spoon_1", "Bowl_1"}, FactSet(facts)});
+    for (const char* name : kObjects)
+      facts.push_back({"IsGraspable", name, ""}), facts.push_back({"On", name, "StoveFire_1"});
+    d.states.push_back({{"Counter_1", "Robot", "Sink", "SinkKnob", "StoveFire_1", "Mug_1", "Kettle",
+                         "Glass_1", "Plate_1", "Spoon_1", "Bowl_1"},
+                        FactSet(facts)});
     d.actions = {"moveto " + object, "grasp " + object};
     if (put) d.actions.insert(d.actions.end(), {"moveto Sink", "keep " + object + " On Sink"});
     SymState state = to_sym_state(d.states[0].facts, symbols);
@@ -73,7 +76,8 @@ class RankerFile : public testing::Test {
  protected:
   void SetUp() override { std::filesystem::create_directories(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("goalnet_ranker_" + std::to_string(::getpid()));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("goalnet_ranker_" + std::to_string(::getpid()));
 };
 
 TEST_F(RankerFile, TrainingIsBitIdenticalAndSurvivesTheFile) {
@@ -100,8 +104,10 @@ TEST_F(RankerFile, LearnsWhatPeopleDo) {
   const auto world = people()[0].states[0];
   std::vector<WorldState> states = {world};
   std::vector<Goal> goals;
-  for (const char* want : {"(Near Robot Bowl_1)", "(Grasping Robot Bowl_1)", "(Near Robot Sink)", "(On Bowl_1 Sink)"}) {
-    const auto goal = model.infer({.sentence = "put the bowl in the sink", .grounding = nullptr, .states = states, .goals = goals});
+  for (const char* want :
+       {"(Near Robot Bowl_1)", "(Grasping Robot Bowl_1)", "(Near Robot Sink)", "(On Bowl_1 Sink)"}) {
+    const auto goal = model.infer(
+        {.sentence = "put the bowl in the sink", .grounding = nullptr, .states = states, .goals = goals});
     ASSERT_TRUE(goal);
     ASSERT_FALSE(goal->empty()) << want;
     FactSet facts = states.back().facts;
@@ -111,7 +117,8 @@ TEST_F(RankerFile, LearnsWhatPeopleDo) {
     states.push_back({world.objects, facts});
     goals.push_back(*goal);
   }
-  const auto rest = model.infer({.sentence = "put the bowl in the sink", .grounding = nullptr, .states = states, .goals = goals});
+  const auto rest = model.infer(
+      {.sentence = "put the bowl in the sink", .grounding = nullptr, .states = states, .goals = goals});
   ASSERT_TRUE(rest);
   EXPECT_TRUE(rest->empty());
 }
@@ -120,7 +127,8 @@ TEST_F(RankerFile, AnswersDoNotDependOnWhatWasAskedBefore) {
   const auto world = people()[0].states[0];
   const std::vector<WorldState> states = {world};
   const StepInput grab{.sentence = "grab the spoon", .grounding = nullptr, .states = states, .goals = {}};
-  const StepInput put{.sentence = "put the mug in the sink", .grounding = nullptr, .states = states, .goals = {}};
+  const StepInput put{
+      .sentence = "put the mug in the sink", .grounding = nullptr, .states = states, .goals = {}};
   RankerModel one(trained(false), ModelUse::kBenchmark), other(trained(false), ModelUse::kBenchmark);
   const auto first = one.infer(grab);
   ASSERT_TRUE(other.infer(put));
@@ -135,15 +143,17 @@ TEST_F(RankerFile, DamagedFilesAreRefusedWithOneMessage) {
   ASSERT_TRUE(write_ranker(trained(true), path));
   EXPECT_EQ(load_model(folder / "none.safetensors").error().outcome, Outcome::kInvalidRequest);
   const std::string good = bytes_of(path);
-  for (const std::size_t length : {std::size_t{0}, std::size_t{7}, std::size_t{100}, good.size() / 2, good.size() - 1}) {
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{7}, std::size_t{100}, good.size() / 2, good.size() - 1}) {
     std::ofstream(path, std::ios::binary) << good.substr(0, length);
     const auto model = load_model(path);
     ASSERT_FALSE(model) << length;
     EXPECT_EQ(model.error().outcome, Outcome::kInvalidRequest);
   }
   // Every metadata key and tensor is needed: rename each in turn.
-  for (const std::string& key : std::initializer_list<std::string>{"goalnet.kind", "goalnet.language", "goalnet.names", "goalnet.config", "none.policy", "none.memory.counts",
-                                "none.memory.steps", "none.trees.roots"}) {
+  for (const std::string& key : std::initializer_list<std::string>{
+           "goalnet.kind", "goalnet.language", "goalnet.names", "goalnet.config", "none.policy",
+           "none.memory.counts", "none.memory.steps", "none.trees.roots"}) {
     std::string bad = good;
     const std::size_t at = bad.find("\"" + key + "\"");
     ASSERT_NE(at, std::string::npos) << key;

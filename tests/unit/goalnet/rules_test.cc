@@ -26,7 +26,8 @@ TEST(Rules, EqualTheBenchmarkDomain) {
   const std::string path = GOALNET_SOURCE_DIR "/config/domains/benchmark.pddl";
   const auto domain = planner::parse_domain(text_of(path), path);
   ASSERT_TRUE(domain) << domain.error().message;
-  const auto worlds = nlohmann::json::parse(text_of(GOALNET_SOURCE_DIR "/tests/data/instructions/worlds.json"));
+  const auto worlds =
+      nlohmann::json::parse(text_of(GOALNET_SOURCE_DIR "/tests/data/instructions/worlds.json"));
   Symbols symbols;
   Lexicon lexicon = *Lexicon::load(GOALNET_SOURCE_DIR "/config/language/household.json", symbols);
   Random random(5);
@@ -52,7 +53,8 @@ TEST(Rules, EqualTheBenchmarkDomain) {
         const std::string text = to_string(action, symbols);
         const auto pddl = planner::from_demonstration(text);
         ASSERT_TRUE(pddl) << text;
-        const bool here = applicable(action, state), there = planner::applicable(*domain, world, *pddl).has_value();
+        const bool here = applicable(action, state),
+                   there = planner::applicable(*domain, world, *pddl).has_value();
         EXPECT_EQ(here, there) << text;
         ++compared;
         if (!here || !there) continue;

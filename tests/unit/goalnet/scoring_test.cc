@@ -31,7 +31,8 @@ TEST(Scoring, PerfectRun) {
 }
 
 TEST(Scoring, DoingMoreIsFreeForGrrOnly) {
-  const auto start = facts({}), want = facts({"(On Mug_1 Sink)"}), got = facts({"(On Mug_1 Sink)", "(Near Robot Sink)"});
+  const auto start = facts({}), want = facts({"(On Mug_1 Sink)"}),
+             got = facts({"(On Mug_1 Sink)", "(Near Robot Sink)"});
   const std::vector<std::string> one = {"keep Mug_1 On Sink"}, two = {"moveto Sink", "keep Mug_1 On Sink"};
   const Scores s = score_run(start, want, one, got, two);
   EXPECT_EQ(s.grr, 1);
@@ -76,18 +77,21 @@ class Parrot : public GoalModel {
 TEST(Scoring, EqualsTheIndependentScorer) {
   const std::filesystem::path shared = std::filesystem::path(GOALNET_SOURCE_DIR) / "../shared";
   const auto data = shared / "data/goalnet/val", script = shared / "tools/score.py";
-  if (!std::filesystem::exists(data) || !std::filesystem::exists(script)) GTEST_SKIP() << "needs ../shared/data/goalnet";
+  if (!std::filesystem::exists(data) || !std::filesystem::exists(script))
+    GTEST_SKIP() << "needs ../shared/data/goalnet";
   if (std::system("python3 -c 0") != 0) GTEST_SKIP() << "needs python3";
   const auto all = read_demonstrations(data);
   ASSERT_TRUE(all) << all.error().message;
   Symbols symbols;
   const auto lexicon = Lexicon::load(GOALNET_SOURCE_DIR "/config/language/household.json", symbols);
   ASSERT_TRUE(lexicon);
-  const auto result = evaluate([&] { return Expected<std::unique_ptr<GoalModel>>(std::make_unique<Parrot>(*all)); }, *all,
-                               *lexicon, {.grounding = true, .threads = 2, .progress = {}});
+  const auto result =
+      evaluate([&] { return Expected<std::unique_ptr<GoalModel>>(std::make_unique<Parrot>(*all)); }, *all,
+               *lexicon, {.grounding = true, .threads = 2, .progress = {}});
   ASSERT_TRUE(result);
   EXPECT_GT(result->mean.sji, 0.2) << "the comparison would say little";
-  const auto runs = std::filesystem::temp_directory_path() / ("goalnet_runs_" + std::to_string(::getpid()) + ".jsonl");
+  const auto runs =
+      std::filesystem::temp_directory_path() / ("goalnet_runs_" + std::to_string(::getpid()) + ".jsonl");
   ASSERT_TRUE(write_runs(result->runs, runs));
   const std::string command = "python3 " + script.string() + " " + data.string() + " " + runs.string();
   FILE* pipe = popen(command.c_str(), "r");

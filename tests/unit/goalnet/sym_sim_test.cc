@@ -13,7 +13,9 @@ class SymSim : public testing::Test {
     return to_sym_state(FactSet(list), symbols);
   }
   SymAction action(const char* text) { return *parse_action(text, symbols); }
-  bool has(const SymState& s, const char* fact) { return to_fact_set(s, symbols).contains(*parse_predicate(fact)); }
+  bool has(const SymState& s, const char* fact) {
+    return to_fact_set(s, symbols).contains(*parse_predicate(fact));
+  }
   std::vector<std::string> texts(const std::vector<SymAction>& run) {
     std::vector<std::string> list;
     for (const SymAction& a : run) list.push_back(to_string(a, symbols));
@@ -23,14 +25,16 @@ class SymSim : public testing::Test {
 };
 
 TEST_F(SymSim, GraspingTakesAwayWhatStoodOnIt) {
-  SymState s = state({"(IsGraspable Plate_1)", "(Near Robot Plate_1)", "(On Egg_1 Plate_1)", "(On Plate_1 Sink)"});
+  SymState s =
+      state({"(IsGraspable Plate_1)", "(Near Robot Plate_1)", "(On Egg_1 Plate_1)", "(On Plate_1 Sink)"});
   ASSERT_TRUE(applicable(action("grasp Plate_1"), s));
   apply(action("grasp Plate_1"), s);
   EXPECT_EQ(s, state({"(IsGraspable Plate_1)", "(Grasping Robot Plate_1)"}));
 }
 
 TEST_F(SymSim, FactsAboutThemselvesSurviveGrasping) {
-  SymState s = state({"(IsGraspable GarbageBin_1)", "(Near Robot GarbageBin_1)", "(On GarbageBin_1 GarbageBin_1)"});
+  SymState s =
+      state({"(IsGraspable GarbageBin_1)", "(Near Robot GarbageBin_1)", "(On GarbageBin_1 GarbageBin_1)"});
   apply(action("grasp GarbageBin_1"), s);
   EXPECT_TRUE(has(s, "(On GarbageBin_1 GarbageBin_1)"));
 }
@@ -53,7 +57,8 @@ TEST_F(SymSim, BurnerObjectsAndFluentsAreDifferentThings) {
 }
 
 TEST_F(SymSim, DoorsGuardPlaces) {
-  EXPECT_FALSE(applicable(action("keep Mug_1 In Microwave"), state({"(Grasping Robot Mug_1)", "(Near Robot Microwave)"})));
+  EXPECT_FALSE(applicable(action("keep Mug_1 In Microwave"),
+                          state({"(Grasping Robot Mug_1)", "(Near Robot Microwave)"})));
   SymState s = state({"(Near Robot Fridge)", "(state Fridge WaterDispenserIsOpen)"});
   apply(action("open FridgeLeftDoor"), s);
   EXPECT_FALSE(has(s, "(state Fridge WaterDispenserIsOpen)"));
@@ -70,7 +75,8 @@ TEST_F(SymSim, ChannelsTurnRoundWhileTheSetIsOn) {
 TEST_F(SymSim, MeansComeInTheNaturalOrder) {
   const SymState s = state({"(IsGraspable Mug_1)"});
   EXPECT_EQ(texts(with_means(action("keep Mug_1 In Microwave"), s)),
-            (std::vector<std::string>{"moveto Mug_1", "grasp Mug_1", "moveto Microwave", "open Microwave", "keep Mug_1 In Microwave"}));
+            (std::vector<std::string>{"moveto Mug_1", "grasp Mug_1", "moveto Microwave", "open Microwave",
+                                      "keep Mug_1 In Microwave"}));
   EXPECT_TRUE(with_means(action("grasp Sink"), s).empty()) << "what is not graspable has no run";
   EXPECT_TRUE(with_means(action("add Sink Mug_1"), s).empty());
 }

@@ -22,11 +22,14 @@ TEST(Tokenizer, EmptyTextHasNoWords) {
 
 TEST(Tokenizer, TypographicQuotesCountAsAscii) { EXPECT_EQ(*tokenize("cd\u2019s"), Words{"cd"}); }
 
-TEST(Tokenizer, OtherScriptsMakeUnknownWords) { EXPECT_EQ(*tokenize("открой fridge"), (Words{"открой", "fridge"})); }
+TEST(Tokenizer, OtherScriptsMakeUnknownWords) {
+  EXPECT_EQ(*tokenize("открой fridge"), (Words{"открой", "fridge"}));
+}
 
 TEST(Tokenizer, RefusesWhatIsNoText) {
-  for (const std::string& text : {std::string("a\x01g"), std::string("a\0b", 3), std::string("\xff\xfe"), std::string("\xc0\xaf"),
-                                 std::string("\xed\xa0\x80"), std::string("cut \xe2\x82")}) {
+  for (const std::string& text :
+       {std::string("a\x01g"), std::string("a\0b", 3), std::string("\xff\xfe"), std::string("\xc0\xaf"),
+        std::string("\xed\xa0\x80"), std::string("cut \xe2\x82")}) {
     const auto words = tokenize(text);
     ASSERT_FALSE(words);
     EXPECT_EQ(words.error().outcome, Outcome::kInvalidRequest);
