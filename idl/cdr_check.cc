@@ -17,10 +17,10 @@ std::uint8_t primitive_size(std::uint8_t id) {
 }  // namespace
 
 struct CdrLayout::Cursor {
-  const std::uint8_t* data;   // after the encapsulation: alignment counts from here
-  std::size_t size;           // [bytes]
-  bool swap;                  // byte order differs from this machine's
-  std::size_t at = 0;         // next byte
+  const std::uint8_t* data;  // after the encapsulation: alignment counts from here
+  std::size_t size;          // [bytes]
+  bool swap;                 // byte order differs from this machine's
+  std::size_t at = 0;        // next byte
   std::uint8_t* mask = nullptr;
 
   std::size_t left() const { return size - at; }
@@ -46,10 +46,10 @@ struct CdrLayout::Cursor {
 CdrLayout::CdrLayout(const TypeDescription& type) {
   for (const FieldDescription& field : type.all_fields()) {
     Member member;
-    member.shape = field.type_id >= kSequence           ? kSequence
+    member.shape = field.type_id >= kSequence          ? kSequence
                    : field.type_id >= kBoundedSequence ? kBoundedSequence
                    : field.type_id >= kArray           ? kArray
-                                                        : 0;
+                                                       : 0;
     const std::uint8_t id = field.type_id - member.shape;
     member.capacity = field.capacity;
     member.string_capacity = field.string_capacity;
@@ -67,7 +67,7 @@ CdrLayout::CdrLayout(const TypeDescription& type) {
     }
     const std::uint32_t one = member.kind == Kind::kStruct ? member.nested->smallest_
                               : member.kind == Kind::kText ? 4
-                                                             : member.size;
+                                                           : member.size;
     smallest_ += member.shape == 0 ? one : member.shape == kArray ? one * member.capacity : 4;
     members_.push_back(std::move(member));
   }
@@ -130,7 +130,8 @@ const char* CdrLayout::check(std::span<const std::uint8_t> payload) const {
   if (payload.size() < 4) return "it has no encapsulation";
   if (payload[0] != 0 || payload[1] > 1) return "its encoding is not plain CDR";
   const bool little = payload[1] == 1;
-  Cursor cursor{payload.data() + 4, payload.size() - 4, little != (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)};
+  Cursor cursor{payload.data() + 4, payload.size() - 4,
+                little != (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)};
   return walk(cursor);
 }
 
@@ -139,7 +140,8 @@ std::vector<std::uint8_t> CdrLayout::data_mask(std::span<const std::uint8_t> pay
   std::vector<std::uint8_t> mask(payload.size(), 0);
   std::memset(mask.data(), 0xff, 2);
   const bool little = payload[1] == 1;
-  Cursor cursor{payload.data() + 4, payload.size() - 4, little != (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)};
+  Cursor cursor{payload.data() + 4, payload.size() - 4,
+                little != (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)};
   cursor.mask = mask.data() + 4;
   walk(cursor);
   return mask;
@@ -168,8 +170,8 @@ bool is_utf8(std::span<const std::uint8_t> text) {
       if ((text[i + k] & 0xc0) != 0x80) return false;
     }
     const std::uint8_t second = text[i + 1];
-    if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) || (lead == 0xf0 && second < 0x90) ||
-        (lead == 0xf4 && second > 0x8f)) {
+    if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
+        (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f)) {
       return false;
     }
     i += more + 1;

@@ -21,7 +21,7 @@ struct TypeSupport {
   void (*destroy)(void* message);
   void (*serialize)(const void* message, eprosima::fastcdr::Cdr& cdr);  // may throw what Fast CDR throws
   void (*deserialize)(void* message, eprosima::fastcdr::Cdr& cdr);      // same
-  std::size_t (*serialized_size)(const void* message);                 // [bytes] without the 4 of the encapsulation
+  std::size_t (*serialized_size)(const void* message);  // [bytes] without the 4 of the encapsulation
 };
 
 // Defined in the generated PKG_support.cc for every message of idl/; for another type the link fails.

@@ -20,9 +20,13 @@ const TypeSupport& type_support() {
       find_type(NameOf<Message>::kRos),
       []() -> void* { return new Message(); },
       [](void* message) { delete static_cast<Message*>(message); },
-      [](const void* message, eprosima::fastcdr::Cdr& cdr) { static_cast<const Message*>(message)->serialize(cdr); },
+      [](const void* message, eprosima::fastcdr::Cdr& cdr) {
+        static_cast<const Message*>(message)->serialize(cdr);
+      },
       [](void* message, eprosima::fastcdr::Cdr& cdr) { static_cast<Message*>(message)->deserialize(cdr); },
-      [](const void* message) { return Message::getCdrSerializedSize(*static_cast<const Message*>(message)); }};
+      [](const void* message) {
+        return Message::getCdrSerializedSize(*static_cast<const Message*>(message));
+      }};
   return support;
 }
 

@@ -28,8 +28,8 @@ class ActionClient {
   struct GoalCallbacks {
     std::function<void(bool accepted)> on_response;
     std::function<void(const typename Action::Feedback&)> on_feedback;
-    // How the goal ended (kSucceeded, kCanceled, kAborted) and its result; kUnknown if the server forgot it. An
-    // error (kTimeLimit, kComponentLost) where no answer came.
+    // How the goal ended (kSucceeded, kCanceled, kAborted) and its result; kUnknown if the server forgot it.
+    // An error (kTimeLimit, kComponentLost) where no answer came.
     std::function<void(Expected<std::pair<GoalState, typename Action::Result>>)> on_result;
   };
 
@@ -45,7 +45,8 @@ class ActionClient {
   bool wait_for_server(std::chrono::nanoseconds timeout = std::chrono::seconds(5)) const {
     const auto end = std::chrono::steady_clock::now() + timeout;
     const auto left = [&] {
-      return std::max<std::chrono::nanoseconds>(end - std::chrono::steady_clock::now(), std::chrono::nanoseconds(0));
+      return std::max<std::chrono::nanoseconds>(end - std::chrono::steady_clock::now(),
+                                                std::chrono::nanoseconds(0));
     };
     return send_goal_.wait_for_service(left()) && cancel_.wait_for_service(left()) &&
            get_result_.wait_for_service(left()) && feedback_->wait_for_publishers(1, left());
@@ -88,7 +89,8 @@ class ActionClient {
   }
 
  private:
-  void ask_for_result(const GoalId& id, std::shared_ptr<GoalCallbacks> callbacks, std::chrono::nanoseconds timeout) {
+  void ask_for_result(const GoalId& id, std::shared_ptr<GoalCallbacks> callbacks,
+                      std::chrono::nanoseconds timeout) {
     typename GetResult::Request request;
     request.goal_id().uuid(id);
     get_result_.call(
@@ -99,7 +101,8 @@ class ActionClient {
           if (!response) {
             callbacks->on_result(tl::unexpected(response.error()));
           } else {
-            callbacks->on_result(std::pair(static_cast<GoalState>((*response)->status()), (*response)->result()));
+            callbacks->on_result(
+                std::pair(static_cast<GoalState>((*response)->status()), (*response)->result()));
           }
         },
         timeout);
@@ -112,7 +115,8 @@ class ActionClient {
     if (callbacks->on_feedback) callbacks->on_feedback(message.feedback());
   }
 
-  void send_cancel(const typename Cancel::Request& request, std::function<void(Expected<CancelCode>)> on_answer) {
+  void send_cancel(const typename Cancel::Request& request,
+                   std::function<void(Expected<CancelCode>)> on_answer) {
     cancel_.call(request, [on_answer = std::move(on_answer)](auto response) {
       if (!on_answer) return;
       if (!response) {

@@ -22,12 +22,17 @@ GoalId random_goal_id() {
 
 bool allowed(GoalState from, GoalState to) {
   switch (to) {
-    case GoalState::kExecuting: return from == GoalState::kAccepted;
-    case GoalState::kCanceling: return from == GoalState::kAccepted || from == GoalState::kExecuting;
+    case GoalState::kExecuting:
+      return from == GoalState::kAccepted;
+    case GoalState::kCanceling:
+      return from == GoalState::kAccepted || from == GoalState::kExecuting;
     case GoalState::kSucceeded:
-    case GoalState::kAborted: return from == GoalState::kExecuting || from == GoalState::kCanceling;
-    case GoalState::kCanceled: return from == GoalState::kCanceling;
-    default: return false;
+    case GoalState::kAborted:
+      return from == GoalState::kExecuting || from == GoalState::kCanceling;
+    case GoalState::kCanceled:
+      return from == GoalState::kCanceling;
+    default:
+      return false;
   }
 }
 
@@ -35,14 +40,16 @@ ActionGoals::ActionGoals(std::chrono::nanoseconds result_timeout, std::size_t ca
     : result_timeout_(result_timeout), capacity_(capacity) {}
 
 ActionGoals::Goal* ActionGoals::find(const GoalId& id) {
-  const auto found = std::find_if(goals_.begin(), goals_.end(), [&](const Goal& goal) { return goal.id == id; });
+  const auto found =
+      std::find_if(goals_.begin(), goals_.end(), [&](const Goal& goal) { return goal.id == id; });
   return found == goals_.end() ? nullptr : &*found;
 }
 
 bool ActionGoals::accept(const GoalId& id, Time now) {
   if (find(id) != nullptr) return false;
   if (goals_.size() >= capacity_) {
-    const auto oldest = std::find_if(goals_.begin(), goals_.end(), [](const Goal& goal) { return terminal(goal.state); });
+    const auto oldest =
+        std::find_if(goals_.begin(), goals_.end(), [](const Goal& goal) { return terminal(goal.state); });
     if (oldest == goals_.end()) return false;
     goals_.erase(oldest);
   }
@@ -59,7 +66,8 @@ bool ActionGoals::set(const GoalId& id, GoalState state, Time now) {
 }
 
 std::optional<GoalState> ActionGoals::state(const GoalId& id) const {
-  const auto found = std::find_if(goals_.begin(), goals_.end(), [&](const Goal& goal) { return goal.id == id; });
+  const auto found =
+      std::find_if(goals_.begin(), goals_.end(), [&](const Goal& goal) { return goal.id == id; });
   return found == goals_.end() ? std::nullopt : std::optional(found->state);
 }
 

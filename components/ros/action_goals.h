@@ -1,5 +1,5 @@
-// The goals of one action server: their states, which of them a cancel request means, and how long results are
-// kept. Pure; action_server.h puts it on DDS.
+// The goals of one action server: their states, which of them a cancel request means, and how long results
+// are kept. Pure; action_server.h puts it on DDS.
 #pragma once
 
 #include <array>
@@ -45,14 +45,15 @@ class ActionGoals {
   // `result_timeout`: how long a finished goal is remembered; `capacity`: how many goals at most.
   ActionGoals(std::chrono::nanoseconds result_timeout, std::size_t capacity);
 
-  // False if the id is taken, or all places are held by unfinished goals. Else the oldest finished goals make room.
+  // False if the id is taken, or all places are held by unfinished goals. Else the oldest finished goals make
+  // room.
   bool accept(const GoalId& id, Time now);
   // False, and nothing changes, for an unknown goal or a change that is not allowed.
   bool set(const GoalId& id, GoalState state, Time now);
   std::optional<GoalState> state(const GoalId& id) const;
 
-  // Goals that a cancel request with this id and stamp means, by the four rules of CancelGoal.srv, in order of
-  // acceptance. Finished ones are left out, unless the id names one: then the code says so.
+  // Goals that a cancel request with this id and stamp means, by the four rules of CancelGoal.srv, in order
+  // of acceptance. Finished ones are left out, unless the id names one: then the code says so.
   struct Selection {
     CancelCode code = CancelCode::kNone;
     std::vector<Goal> goals;

@@ -38,13 +38,14 @@ struct ActionServerOptions {
 template <class Action>
 class ActionServer;
 
-// One accepted goal. Exactly one of succeed(), abort() and canceled() must end it; a handle that is dropped before
-// aborts its goal. Calls that the state does not allow return false and change nothing.
+// One accepted goal. Exactly one of succeed(), abort() and canceled() must end it; a handle that is dropped
+// before aborts its goal. Calls that the state does not allow return false and change nothing.
 template <class Action>
 class GoalHandle {
  public:
   using Core = typename ActionServer<Action>::Core;
-  GoalHandle(std::shared_ptr<Core> core, const GoalId& id, std::shared_ptr<const typename Action::SendGoal::Request> request)
+  GoalHandle(std::shared_ptr<Core> core, const GoalId& id,
+             std::shared_ptr<const typename Action::SendGoal::Request> request)
       : core_(std::move(core)), id_(id), request_(std::move(request)) {}
   ~GoalHandle() {
     if (active()) abort({});
@@ -64,7 +65,9 @@ class GoalHandle {
     message.feedback(feedback);
     core_->feedback->publish(message);
   }
-  bool succeed(const typename Action::Result& result) { return core_->finish(id_, GoalState::kSucceeded, result); }
+  bool succeed(const typename Action::Result& result) {
+    return core_->finish(id_, GoalState::kSucceeded, result);
+  }
   bool abort(const typename Action::Result& result) {
     if (state() == GoalState::kAccepted) execute();
     return core_->finish(id_, GoalState::kAborted, result);
@@ -95,7 +98,8 @@ class ActionServer {
 
   // What handles and server share; internal.
   struct Core {
-    Core(Node& n, const ActionServerOptions& options) : node(n), goals(options.result_timeout, options.capacity) {}
+    Core(Node& n, const ActionServerOptions& options)
+        : node(n), goals(options.result_timeout, options.capacity) {}
     bool set(const GoalId& id, GoalState state) {
       if (!open || !goals.set(id, state, node.now())) return false;
       publish_status();
@@ -143,18 +147,21 @@ class ActionServer {
     std::shared_ptr<Publisher<action_msgs::msg::GoalStatusArray>> status;
   };
 
-  ActionServer(Node& node, const std::string& name, Callbacks callbacks, const ActionServerOptions& options = {})
+  ActionServer(Node& node, const std::string& name, Callbacks callbacks,
+               const ActionServerOptions& options = {})
       : callbacks_(std::move(callbacks)), core_(std::make_shared<Core>(node, options)) {
     const std::string base = node.resolve(name) + "/_action/";
     // In rcl's order, so that both sides list the same.
     send_goal_ = Server<SendGoal>::deferred(node, base + "send_goal", [this](auto request, auto responder) {
       take_goal(std::move(request), std::move(responder));
     });
-    cancel_ = std::make_unique<Server<Cancel>>(node, base + "cancel_goal",
-                                               [this](const auto& request, auto& response) { cancel(request, response); });
-    get_result_ = Server<GetResult>::deferred(node, base + "get_result", [this](auto request, auto responder) {
-      give_result(request->goal_id().uuid(), std::move(responder));
-    });
+    cancel_ = std::make_unique<Server<Cancel>>(
+        node, base + "cancel_goal",
+        [this](const auto& request, auto& response) { cancel(request, response); });
+    get_result_ =
+        Server<GetResult>::deferred(node, base + "get_result", [this](auto request, auto responder) {
+          give_result(request->goal_id().uuid(), std::move(responder));
+        });
     core_->feedback = node.advertise<typename Action::FeedbackMessage>(base + "feedback", Qos::standard());
     core_->status = node.advertise<action_msgs::msg::GoalStatusArray>(base + "status", Qos::latched());
     expiry_ = node.create_timer(std::chrono::seconds(1), [core = core_] { core->expire(); });
@@ -169,8 +176,9 @@ class ActionServer {
     const Time now = core_->node.now();
     response.stamp(now.to_msg());
     core_->expire();
-    const GoalResponse answer = core_->goals.state(id) || !callbacks_.on_goal ? GoalResponse::kReject
-                                                                             : callbacks_.on_goal(id, request->goal());
+    const GoalResponse answer = core_->goals.state(id) || !callbacks_.on_goal
+                                    ? GoalResponse::kReject
+                                    : callbacks_.on_goal(id, request->goal());
     if (answer == GoalResponse::kReject || !core_->goals.accept(id, now)) {
       responder.send(response);
       return;
@@ -188,8 +196,8 @@ class ActionServer {
   }
 
   void cancel(const typename Cancel::Request& request, typename Cancel::Response& response) {
-    const auto selection =
-        core_->goals.select_for_cancel(request.goal_info().goal_id().uuid(), Time(request.goal_info().stamp()));
+    const auto selection = core_->goals.select_for_cancel(request.goal_info().goal_id().uuid(),
+                                                          Time(request.goal_info().stamp()));
     response.return_code(static_cast<std::int8_t>(selection.code));
     for (const ActionGoals::Goal& goal : selection.goals) {
       const auto handle = core_->handles[goal.id].lock();

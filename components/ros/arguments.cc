@@ -6,7 +6,9 @@
 namespace goalnet::ros {
 namespace {
 
-tl::unexpected<Error> bad(const std::string& what) { return fail(Outcome::kInvalidRequest, "--ros-args: " + what); }
+tl::unexpected<Error> bad(const std::string& what) {
+  return fail(Outcome::kInvalidRequest, "--ros-args: " + what);
+}
 
 // "node:rest" -> {node, rest}; "/ns/node:rest" likewise; no ':' before the rest: node "".
 std::pair<std::string, std::string> split_node(const std::string& text) {
@@ -16,10 +18,12 @@ std::pair<std::string, std::string> split_node(const std::string& text) {
 }
 
 // Splits at the first ":=".
-Expected<std::pair<std::string, std::string>> split_assignment(const std::string& flag, const std::string& text) {
+Expected<std::pair<std::string, std::string>> split_assignment(const std::string& flag,
+                                                               const std::string& text) {
   const auto at = text.find(":=");
   if (at == std::string::npos || at == 0) {
-    return bad(flag + " '" + text.substr(0, 200) + "' must look like " + (flag == "-r" ? "from:=to" : "name:=value"));
+    return bad(flag + " '" + text.substr(0, 200) + "' must look like " +
+               (flag == "-r" ? "from:=to" : "name:=value"));
   }
   return std::pair(text.substr(0, at), text.substr(at + 2));
 }
@@ -113,10 +117,12 @@ Expected<Arguments> parse_arguments(const std::vector<std::string>& words) {
     } else if (word == "--enable-external-lib-logs" || word == "--disable-external-lib-logs") {
       // rcl's switch for a log library that is not here
     } else if (word.find(":=") != std::string::npos && word[0] != '-') {
-      if (auto ok = take_remap(word, out); !ok) return tl::unexpected(ok.error());  // the old form, without -r
+      if (auto ok = take_remap(word, out); !ok)
+        return tl::unexpected(ok.error());  // the old form, without -r
     } else {
       return bad("unknown argument '" + word.substr(0, 200) +
-                 "'; known: -r, -p, --params-file, --log-level, -e, --disable-rosout-logs, --disable-stdout-logs, --");
+                 "'; known: -r, -p, --params-file, --log-level, -e, --disable-rosout-logs, "
+                 "--disable-stdout-logs, --");
     }
   }
   return out;

@@ -27,16 +27,16 @@ struct Remap {
 };
 
 struct Arguments {
-  std::vector<std::string> remaining;          // what was not for ROS, in order, without the program's name
-  std::vector<Remap> remaps;                   // __node and __ns are in the two members below
-  std::optional<std::string> node_name;        // -r __node:=
-  std::optional<std::string> node_namespace;   // -r __ns:=
-  std::vector<ParameterOverride> parameters;   // in order: later ones win
-  std::optional<LogLevel> log_level;           // --log-level LEVEL
+  std::vector<std::string> remaining;         // what was not for ROS, in order, without the program's name
+  std::vector<Remap> remaps;                  // __node and __ns are in the two members below
+  std::optional<std::string> node_name;       // -r __node:=
+  std::optional<std::string> node_namespace;  // -r __ns:=
+  std::vector<ParameterOverride> parameters;  // in order: later ones win
+  std::optional<LogLevel> log_level;          // --log-level LEVEL
   std::vector<std::pair<std::string, LogLevel>> logger_levels;  // --log-level NAME:=LEVEL
-  std::optional<std::string> enclave;          // -e, --enclave
-  bool rosout = true;                          // --disable-rosout-logs
-  bool console = true;                         // --disable-stdout-logs
+  std::optional<std::string> enclave;                           // -e, --enclave
+  bool rosout = true;                                           // --disable-rosout-logs
+  bool console = true;                                          // --disable-stdout-logs
 };
 
 // Takes the arguments after the program's name. Fails with kInvalidRequest and what is wrong, and where.

@@ -6,7 +6,9 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000'000;
 
 // Splits so that the nanoseconds are never negative, as the messages demand.
-std::int64_t floor_seconds(std::int64_t ns) { return ns >= 0 ? ns / kSecond : -((-ns + kSecond - 1) / kSecond); }
+std::int64_t floor_seconds(std::int64_t ns) {
+  return ns >= 0 ? ns / kSecond : -((-ns + kSecond - 1) / kSecond);
+}
 
 }  // namespace
 

@@ -26,7 +26,9 @@ struct Time {
   auto operator<=>(const Time&) const = default;
 };
 
-inline Time operator+(Time time, std::chrono::nanoseconds span) { return Time(time.nanoseconds + span.count()); }
+inline Time operator+(Time time, std::chrono::nanoseconds span) {
+  return Time(time.nanoseconds + span.count());
+}
 inline std::chrono::nanoseconds operator-(Time a, Time b) {
   return std::chrono::nanoseconds(a.nanoseconds - b.nanoseconds);
 }

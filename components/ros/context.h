@@ -25,8 +25,8 @@ std::string_view to_string(Distro distro);
 // ROS_LOCALHOST_ONLY, ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_STATIC_PEERS, ROS_DISCOVERY_SERVER,
 // GOALNET_SHARED_MEMORY.
 struct ContextOptions {
-  int domain_id = -1;            // 0..232; -1: ROS_DOMAIN_ID, or 0
-  std::string enclave = "/";     // where SROS2 looks for keys; also the participant's name
+  int domain_id = -1;                           // 0..232; -1: ROS_DOMAIN_ID, or 0
+  std::string enclave = "/";                    // where SROS2 looks for keys; also the participant's name
   std::optional<Distro> distro = std::nullopt;  // empty: GOALNET_ROS_DISTRO, or Jazzy
   // Only talk inside this process: for tests and for a closed loop that nobody is to disturb.
   bool process_only = false;
@@ -45,7 +45,9 @@ class Context {
   Distro distro() const;
   const std::string& enclave() const;
 
-  const std::shared_ptr<detail::Participant>& participant() const { return participant_; }  // for components/ros only
+  const std::shared_ptr<detail::Participant>& participant() const {
+    return participant_;
+  }  // for components/ros only
 
  private:
   explicit Context(std::shared_ptr<detail::Participant> participant);

@@ -12,12 +12,15 @@ void DiagnosticReport::summary(DiagnosticLevel level, std::string message) {
   message_ = std::move(message);
 }
 
-void DiagnosticReport::threshold(const std::string& key, double value, double warn, double error, const std::string& unit) {
+void DiagnosticReport::threshold(const std::string& key, double value, double warn, double error,
+                                 const std::string& unit) {
   add(key, fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit));
   if (std::isnan(value) || value >= error) {
-    summary(DiagnosticLevel::kError, fmt::format("{} is {:g} {}, the limit is {:g}", key, value, unit, error));
+    summary(DiagnosticLevel::kError,
+            fmt::format("{} is {:g} {}, the limit is {:g}", key, value, unit, error));
   } else if (value >= warn) {
-    summary(DiagnosticLevel::kWarn, fmt::format("{} is {:g} {}, normal is below {:g}", key, value, unit, warn));
+    summary(DiagnosticLevel::kWarn,
+            fmt::format("{} is {:g} {}, normal is below {:g}", key, value, unit, warn));
   }
 }
 

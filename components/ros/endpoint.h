@@ -31,19 +31,20 @@ struct SampleId {
 
 struct SampleInfo {
   SampleId id;
-  SampleId related;                      // as sent along; zero where nothing was
-  std::int64_t source_timestamp = 0;     // [ns] wall clock of the writer
+  SampleId related;                   // as sent along; zero where nothing was
+  std::int64_t source_timestamp = 0;  // [ns] wall clock of the writer
   bool from_this_participant = false;
 };
 
 struct EndpointOptions {
-  std::string dds_topic;                          // rt/...
-  std::string dds_type;                           // pkg::msg::dds_::T_
-  std::string type_hash;                          // RIHS01_..., "" if unknown
-  const idl::TypeSupport* support = nullptr;      // nullptr: raw payloads
+  std::string dds_topic;                      // rt/...
+  std::string dds_type;                       // pkg::msg::dds_::T_
+  std::string type_hash;                      // RIHS01_..., "" if unknown
+  const idl::TypeSupport* support = nullptr;  // nullptr: raw payloads
   Qos qos;
-  std::string node;                               // full name of the node it belongs to; "" for none
-  static EndpointOptions of(const idl::TypeSupport& support, std::string dds_topic, const Qos& qos, std::string node);
+  std::string node;  // full name of the node it belongs to; "" for none
+  static EndpointOptions of(const idl::TypeSupport& support, std::string dds_topic, const Qos& qos,
+                            std::string node);
 };
 
 namespace detail {
@@ -62,8 +63,8 @@ class Writer {
 
   // Encodes and sends; readers of this process have it on return. False where DDS refused or encoding failed.
   bool write(const void* message);
-  // As write(), with the identity that marks it as the reply to (or the request of) somebody. Fills *id, if not
-  // null, with the identity the sample got.
+  // As write(), with the identity that marks it as the reply to (or the request of) somebody. Fills *id, if
+  // not null, with the identity the sample got.
   bool write_related(const void* message, const SampleId& related, SampleId* id);
   // Sends bytes as they are: 4 of encapsulation and the message.
   bool write_raw(std::span<const std::uint8_t> payload);
@@ -82,7 +83,8 @@ class Writer {
   std::unique_ptr<Impl> impl_;
 };
 
-// Callbacks come from DDS threads, or from the writer's thread where both are in one process; never two at once.
+// Callbacks come from DDS threads, or from the writer's thread where both are in one process; never two at
+// once.
 class Reader {
  public:
   struct Callbacks {

@@ -59,7 +59,8 @@ bool EventLoop::run_for(std::chrono::nanoseconds limit, const std::function<bool
     if (done && done()) return true;
     const auto left = end - std::chrono::steady_clock::now();
     if (left <= std::chrono::nanoseconds(0)) return false;
-    const auto sleep = std::min<std::chrono::nanoseconds>({until_next_timer(), left, std::chrono::milliseconds(5)});
+    const auto sleep =
+        std::min<std::chrono::nanoseconds>({until_next_timer(), left, std::chrono::milliseconds(5)});
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, sleep, [this] { return stop_ || woken_ || !queue_.empty(); });
     woken_ = false;

@@ -19,7 +19,8 @@ class Timer;
 // Callbacks run in order of arrival; timers that are due run between them, earliest first, then oldest first.
 class EventLoop {
  public:
-  // At most `capacity` callbacks wait; beyond that post() refuses. Subscriptions bound themselves long before.
+  // At most `capacity` callbacks wait; beyond that post() refuses. Subscriptions bound themselves long
+  // before.
   explicit EventLoop(std::size_t capacity = 100'000) : capacity_(capacity) {}
   EventLoop(const EventLoop&) = delete;
   EventLoop& operator=(const EventLoop&) = delete;

@@ -57,14 +57,20 @@ struct Lifecycle::Impl {
     };
     try {
       switch (state) {
-        case LifecycleState::kConfiguring: return run(callbacks.on_configure);
-        case LifecycleState::kActivating: return run(callbacks.on_activate);
-        case LifecycleState::kDeactivating: return run(callbacks.on_deactivate);
-        case LifecycleState::kCleaningUp: return run(callbacks.on_cleanup);
-        case LifecycleState::kShuttingDown: return run(callbacks.on_shutdown, from);
+        case LifecycleState::kConfiguring:
+          return run(callbacks.on_configure);
+        case LifecycleState::kActivating:
+          return run(callbacks.on_activate);
+        case LifecycleState::kDeactivating:
+          return run(callbacks.on_deactivate);
+        case LifecycleState::kCleaningUp:
+          return run(callbacks.on_cleanup);
+        case LifecycleState::kShuttingDown:
+          return run(callbacks.on_shutdown, from);
         case LifecycleState::kErrorProcessing:
           return callbacks.on_error ? callbacks.on_error(from) : TransitionResult::kFailure;
-        default: return TransitionResult::kError;
+        default:
+          return TransitionResult::kError;
       }
     } catch (const std::exception& error) {
       node.log().error("{} ended by an exception: {}", label(state), error.what());
@@ -96,10 +102,12 @@ Lifecycle::Lifecycle(Node& node, LifecycleCallbacks callbacks)
         response.success(impl->change(request.transition().id(), request.transition().label()));
       });
   impl->get_state = std::make_unique<Server<srv::GetState>>(
-      node, "~/get_state", [impl](const auto&, auto& response) { response.current_state(to_message(impl->state)); });
+      node, "~/get_state",
+      [impl](const auto&, auto& response) { response.current_state(to_message(impl->state)); });
   impl->get_states = std::make_unique<Server<srv::GetAvailableStates>>(
       node, "~/get_available_states", [](const auto&, auto& response) {
-        for (const LifecycleState state : all_lifecycle_states()) response.available_states().push_back(to_message(state));
+        for (const LifecycleState state : all_lifecycle_states())
+          response.available_states().push_back(to_message(state));
       });
   impl->get_transitions = std::make_unique<Server<srv::GetAvailableTransitions>>(
       node, "~/get_available_transitions", [impl](const auto&, auto& response) {
@@ -109,7 +117,8 @@ Lifecycle::Lifecycle(Node& node, LifecycleCallbacks callbacks)
       });
   impl->get_graph = std::make_unique<Server<srv::GetAvailableTransitions>>(
       node, "~/get_transition_graph", [](const auto&, auto& response) {
-        for (const auto& one : all_lifecycle_transitions()) response.available_transitions().push_back(to_message(one));
+        for (const auto& one : all_lifecycle_transitions())
+          response.available_transitions().push_back(to_message(one));
       });
 }
 

@@ -9,8 +9,9 @@
 
 namespace goalnet::ros {
 
-// The work of each transition; a missing one succeeds. kFailure returns to the state before, kError goes through
-// on_error: if that succeeds the node is unconfigured again, else finalized. An exception counts as kError.
+// The work of each transition; a missing one succeeds. kFailure returns to the state before, kError goes
+// through on_error: if that succeeds the node is unconfigured again, else finalized. An exception counts as
+// kError.
 struct LifecycleCallbacks {
   std::function<TransitionResult()> on_configure;
   std::function<TransitionResult()> on_activate;
@@ -20,8 +21,8 @@ struct LifecycleCallbacks {
   std::function<TransitionResult(LifecycleState from)> on_error;  // missing: fails
 };
 
-// Offers ~/change_state, get_state, get_available_states, get_available_transitions and get_transition_graph, and
-// publishes ~/transition_event. Runs in the node's loop.
+// Offers ~/change_state, get_state, get_available_states, get_available_transitions and get_transition_graph,
+// and publishes ~/transition_event. Runs in the node's loop.
 class Lifecycle {
  public:
   Lifecycle(Node& node, LifecycleCallbacks callbacks);

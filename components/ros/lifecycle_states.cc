@@ -8,9 +8,10 @@ namespace {
 
 using State = LifecycleState;
 
-constexpr std::array kStates = {State::kUnknown,    State::kUnconfigured, State::kInactive,   State::kActive,
-                                State::kFinalized,  State::kConfiguring,  State::kCleaningUp, State::kShuttingDown,
-                                State::kActivating, State::kDeactivating, State::kErrorProcessing};
+constexpr std::array kStates = {State::kUnknown,      State::kUnconfigured,   State::kInactive,
+                                State::kActive,       State::kFinalized,      State::kConfiguring,
+                                State::kCleaningUp,   State::kShuttingDown,   State::kActivating,
+                                State::kDeactivating, State::kErrorProcessing};
 
 constexpr std::string_view kSuccess = "transition_success";
 constexpr std::string_view kFailure = "transition_failure";
@@ -48,17 +49,28 @@ constexpr std::array<LifecycleTransition, 25> kTransitions = {{
 
 std::string_view label(LifecycleState state) {
   switch (state) {
-    case State::kUnknown: return "unknown";
-    case State::kUnconfigured: return "unconfigured";
-    case State::kInactive: return "inactive";
-    case State::kActive: return "active";
-    case State::kFinalized: return "finalized";
-    case State::kConfiguring: return "configuring";
-    case State::kCleaningUp: return "cleaningup";
-    case State::kShuttingDown: return "shuttingdown";
-    case State::kActivating: return "activating";
-    case State::kDeactivating: return "deactivating";
-    case State::kErrorProcessing: return "errorprocessing";
+    case State::kUnknown:
+      return "unknown";
+    case State::kUnconfigured:
+      return "unconfigured";
+    case State::kInactive:
+      return "inactive";
+    case State::kActive:
+      return "active";
+    case State::kFinalized:
+      return "finalized";
+    case State::kConfiguring:
+      return "configuring";
+    case State::kCleaningUp:
+      return "cleaningup";
+    case State::kShuttingDown:
+      return "shuttingdown";
+    case State::kActivating:
+      return "activating";
+    case State::kDeactivating:
+      return "deactivating";
+    case State::kErrorProcessing:
+      return "errorprocessing";
   }
   return "unknown";
 }
@@ -66,19 +78,22 @@ std::string_view label(LifecycleState state) {
 std::span<const LifecycleState> all_lifecycle_states() { return kStates; }
 std::span<const LifecycleTransition> all_lifecycle_transitions() { return kTransitions; }
 
-std::optional<LifecycleTransition> find_transition(LifecycleState state, std::uint8_t id, std::string_view name) {
-  const auto found = std::find_if(kTransitions.begin(), kTransitions.end(), [&](const LifecycleTransition& one) {
-    // Ids from 10 on are results of work: nobody may ask for them.
-    return one.from == state && one.id < 10 && (name.empty() ? one.id == id : one.label == name);
-  });
+std::optional<LifecycleTransition> find_transition(LifecycleState state, std::uint8_t id,
+                                                   std::string_view name) {
+  const auto found =
+      std::find_if(kTransitions.begin(), kTransitions.end(), [&](const LifecycleTransition& one) {
+        // Ids from 10 on are results of work: nobody may ask for them.
+        return one.from == state && one.id < 10 && (name.empty() ? one.id == id : one.label == name);
+      });
   return found == kTransitions.end() ? std::nullopt : std::optional(*found);
 }
 
 LifecycleState after(LifecycleState transition_state, TransitionResult result) {
   const auto wanted = static_cast<std::uint8_t>(result);
-  const auto found = std::find_if(kTransitions.begin(), kTransitions.end(), [&](const LifecycleTransition& one) {
-    return one.from == transition_state && one.id >= 10 && one.id % 10 == wanted;
-  });
+  const auto found =
+      std::find_if(kTransitions.begin(), kTransitions.end(), [&](const LifecycleTransition& one) {
+        return one.from == transition_state && one.id >= 10 && one.id % 10 == wanted;
+      });
   return found == kTransitions.end() ? State::kUnknown : found->to;
 }
 

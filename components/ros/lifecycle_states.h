@@ -39,9 +39,10 @@ std::string_view label(LifecycleState state);
 std::span<const LifecycleState> all_lifecycle_states();
 std::span<const LifecycleTransition> all_lifecycle_transitions();
 
-// The transition that may be asked for in `state`: by label where one is given ("shutdown" means another id in
-// each state), else by id.
-std::optional<LifecycleTransition> find_transition(LifecycleState state, std::uint8_t id, std::string_view label);
+// The transition that may be asked for in `state`: by label where one is given ("shutdown" means another id
+// in each state), else by id.
+std::optional<LifecycleTransition> find_transition(LifecycleState state, std::uint8_t id,
+                                                   std::string_view label);
 
 // Where a transition state (configuring, ...) leads, by the result of its work.
 LifecycleState after(LifecycleState transition_state, TransitionResult result);

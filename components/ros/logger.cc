@@ -16,22 +16,32 @@ constexpr std::size_t kLongestText = 4096;  // [bytes]
 
 const char* label(LogLevel level) {
   switch (level) {
-    case LogLevel::kDebug: return "DEBUG";
-    case LogLevel::kInfo: return "INFO";
-    case LogLevel::kWarn: return "WARN";
-    case LogLevel::kError: return "ERROR";
-    case LogLevel::kFatal: return "FATAL";
+    case LogLevel::kDebug:
+      return "DEBUG";
+    case LogLevel::kInfo:
+      return "INFO";
+    case LogLevel::kWarn:
+      return "WARN";
+    case LogLevel::kError:
+      return "ERROR";
+    case LogLevel::kFatal:
+      return "FATAL";
   }
   return "INFO";
 }
 
 spdlog::level::level_enum to_spdlog(LogLevel level) {
   switch (level) {
-    case LogLevel::kDebug: return spdlog::level::debug;
-    case LogLevel::kInfo: return spdlog::level::info;
-    case LogLevel::kWarn: return spdlog::level::warn;
-    case LogLevel::kError: return spdlog::level::err;
-    case LogLevel::kFatal: return spdlog::level::critical;
+    case LogLevel::kDebug:
+      return spdlog::level::debug;
+    case LogLevel::kInfo:
+      return spdlog::level::info;
+    case LogLevel::kWarn:
+      return spdlog::level::warn;
+    case LogLevel::kError:
+      return spdlog::level::err;
+    case LogLevel::kFatal:
+      return spdlog::level::critical;
   }
   return spdlog::level::info;
 }
@@ -56,7 +66,8 @@ struct Logger::Impl {
   Sink sink;
 };
 
-Logger::Logger(std::string name, LogLevel level) : name_(std::move(name)), level_(level), impl_(std::make_unique<Impl>()) {
+Logger::Logger(std::string name, LogLevel level)
+    : name_(std::move(name)), level_(level), impl_(std::make_unique<Impl>()) {
   impl_->console.set_level(spdlog::level::trace);
   impl_->console.set_pattern("%^%v%$");  // the line is made here, in ROS 2's form
 }
@@ -68,7 +79,8 @@ void Logger::set_sink(Sink sink) {
   impl_->sink = std::move(sink);
 }
 
-void Logger::write(LogLevel level, const std::source_location& where, fmt::string_view format, fmt::format_args args) {
+void Logger::write(LogLevel level, const std::source_location& where, fmt::string_view format,
+                   fmt::format_args args) {
   LogRecord record{level, name_, {}, where};
   try {
     record.text = fmt::vformat(format, args);
@@ -78,7 +90,8 @@ void Logger::write(LogLevel level, const std::source_location& where, fmt::strin
   if (record.text.size() > kLongestText) record.text.resize(kLongestText);
   if (console_.load(std::memory_order_relaxed)) {
     const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
-                        std::chrono::system_clock::now().time_since_epoch()).count();
+                        std::chrono::system_clock::now().time_since_epoch())
+                        .count();
     impl_->console.log(to_spdlog(level), "[{}] [{}.{:09}] [{}]: {}", label(level), ns / 1'000'000'000,
                        ns % 1'000'000'000, name_, record.text);
   }

@@ -15,7 +15,13 @@
 
 namespace goalnet::ros {
 
-enum class LogLevel : std::uint8_t { kDebug = 10, kInfo = 20, kWarn = 30, kError = 40, kFatal = 50 };  // as in Log.msg
+enum class LogLevel : std::uint8_t {
+  kDebug = 10,
+  kInfo = 20,
+  kWarn = 30,
+  kError = 40,
+  kFatal = 50
+};  // as in Log.msg
 
 Expected<LogLevel> parse_log_level(std::string_view name);  // debug, info, warn(ing), error, fatal; any case
 
@@ -76,7 +82,8 @@ class Logger {
   void log(LogLevel level, const std::source_location& where, const Format& format, const Args&... args) {
     if (level >= this->level()) write(level, where, format, fmt::make_format_args(args...));
   }
-  void write(LogLevel level, const std::source_location& where, fmt::string_view format, fmt::format_args args);
+  void write(LogLevel level, const std::source_location& where, fmt::string_view format,
+             fmt::format_args args);
 
   struct Impl;
   const std::string name_;

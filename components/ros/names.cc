@@ -14,7 +14,8 @@ std::string_view fault_of_part(std::string_view part) {
   if (std::isdigit(static_cast<unsigned char>(part[0])) != 0) return "has a part that starts with a digit";
   if (part.find("__") != std::string_view::npos) return "has two underscores in a row";
   for (const char c : part) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_') return "has a character other than A-Z a-z 0-9 _";
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_')
+      return "has a character other than A-Z a-z 0-9 _";
   }
   return "";
 }
@@ -22,7 +23,8 @@ std::string_view fault_of_part(std::string_view part) {
 Expected<void> check_absolute(std::string_view name, std::string_view original) {
   const auto bad = [&](std::string_view why) {
     return fail(Outcome::kInvalidRequest, "the ROS name '" + std::string(original.substr(0, 100)) + "' " +
-                                              std::string(why) + "; write parts of letters, digits and _ between /");
+                                              std::string(why) +
+                                              "; write parts of letters, digits and _ between /");
   };
   if (name.size() + 8 > kLongestDdsTopic) return bad("is longer than 248 characters");
   std::size_t at = 1;
@@ -41,14 +43,17 @@ std::string join(std::string_view space, std::string_view name) {
 
 }  // namespace
 
-Expected<std::string> expand_name(std::string_view name, std::string_view node_namespace, std::string_view node_name) {
+Expected<std::string> expand_name(std::string_view name, std::string_view node_namespace,
+                                  std::string_view node_name) {
   std::string full;
-  if (name.empty()) return fail(Outcome::kInvalidRequest, "an empty ROS name; give topics and services a name");
+  if (name.empty())
+    return fail(Outcome::kInvalidRequest, "an empty ROS name; give topics and services a name");
   if (name[0] == '/') {
     full = name;
   } else if (name[0] == '~') {
     full = join(node_namespace, node_name);
-    if (name.size() > 1) full += name[1] == '/' ? std::string(name.substr(1)) : "/" + std::string(name.substr(1));
+    if (name.size() > 1)
+      full += name[1] == '/' ? std::string(name.substr(1)) : "/" + std::string(name.substr(1));
   } else {
     full = join(node_namespace, name);
   }
@@ -66,9 +71,11 @@ Expected<std::string> normalize_namespace(std::string_view node_namespace) {
 }
 
 Expected<void> check_node_name(std::string_view name) {
-  const auto fault = name.size() > kLongestNodeName ? std::string_view("is longer than 255 characters") : fault_of_part(name);
+  const auto fault = name.size() > kLongestNodeName ? std::string_view("is longer than 255 characters")
+                                                    : fault_of_part(name);
   if (fault.empty()) return {};
-  return fail(Outcome::kInvalidRequest, "the node name '" + std::string(name.substr(0, 100)) + "' " + std::string(fault));
+  return fail(Outcome::kInvalidRequest,
+              "the node name '" + std::string(name.substr(0, 100)) + "' " + std::string(fault));
 }
 
 std::string topic_to_dds(std::string_view name) { return "rt" + std::string(name); }

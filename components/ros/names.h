@@ -10,8 +10,10 @@ namespace goalnet::ros {
 
 // Absolute name of `name` as seen from the node `node_name` in `node_namespace` ("/" or "/robot_1"):
 // "/x" stays, "x" goes into the namespace, "~/x" and "~" below the node. Fails with kInvalidRequest for what
-// ROS 2 does not allow (empty parts, "__", a part that starts with a digit, characters other than A-Z a-z 0-9 _).
-Expected<std::string> expand_name(std::string_view name, std::string_view node_namespace, std::string_view node_name);
+// ROS 2 does not allow (empty parts, "__", a part that starts with a digit, characters other than A-Z a-z 0-9
+// _).
+Expected<std::string> expand_name(std::string_view name, std::string_view node_namespace,
+                                  std::string_view node_name);
 
 // "/robot_1" from "robot_1", "/robot_1/" or "/robot_1"; "/" from "" or "/".
 Expected<std::string> normalize_namespace(std::string_view node_namespace);

@@ -43,7 +43,8 @@ Node::Node(Context& context, EventLoop& loop, NodeOptions options)
   name_ = options.arguments.node_name.value_or(options.name);
   const auto name_ok = check_node_name(name_);
   if (!name_ok) throw std::runtime_error(name_ok.error().message);
-  namespace_ = value_or_throw(normalize_namespace(options.arguments.node_namespace.value_or(options.node_namespace)));
+  namespace_ =
+      value_or_throw(normalize_namespace(options.arguments.node_namespace.value_or(options.node_namespace)));
   full_name_ = (namespace_ == "/" ? "" : namespace_) + "/" + name_;
   logger_ = std::make_unique<Logger>(logger_name(namespace_, name_));
   take_arguments(options.arguments);
@@ -51,8 +52,8 @@ Node::Node(Context& context, EventLoop& loop, NodeOptions options)
   try {
     if (options.rosout && options.arguments.rosout) open_rosout();
     if (options.services) internals_->services = std::make_unique<NodeServices>(*this);
-    const bool simulated = value_or_throw(
-        declare_parameter("use_sim_time", options.use_sim_time, {.description = "follow /clock instead of the wall clock"}));
+    const bool simulated = value_or_throw(declare_parameter(
+        "use_sim_time", options.use_sim_time, {.description = "follow /clock instead of the wall clock"}));
     follow_simulated_time(simulated);
     parameters_.add_observer([this](const ParameterChange& change) {
       for (const Parameter& parameter : change.changed) {
@@ -98,7 +99,8 @@ void Node::take_arguments(const Arguments& arguments) {
 
 void Node::open_rosout() {
   internals_->rosout = advertise<rcl_interfaces::msg::Log>("/rosout", Qos::rosout());
-  logger_->set_sink([this](const LogRecord& record) { internals_->rosout->publish(to_msg(record, clock_.now())); });
+  logger_->set_sink(
+      [this](const LogRecord& record) { internals_->rosout->publish(to_msg(record, clock_.now())); });
 }
 
 void Node::follow_simulated_time(bool use) {
@@ -107,7 +109,8 @@ void Node::follow_simulated_time(bool use) {
     internals_->clock.reset();
   } else if (!internals_->clock) {
     internals_->clock = subscribe<rosgraph_msgs::msg::Clock>(
-        "/clock", Qos::clock(), [this](const rosgraph_msgs::msg::Clock& message) { clock_.set_simulated(Time(message.clock())); });
+        "/clock", Qos::clock(),
+        [this](const rosgraph_msgs::msg::Clock& message) { clock_.set_simulated(Time(message.clock())); });
   }
 }
 
@@ -119,19 +122,22 @@ std::string Node::resolve(const std::string& name) const {
   return full;
 }
 
-std::shared_ptr<Writer> Node::open_writer(const std::string& topic, const idl::TypeSupport& support, const Qos& qos) {
-  return value_or_throw(
-      Writer::create(context_.participant(), EndpointOptions::of(support, topic_to_dds(topic), qos, full_name_)));
+std::shared_ptr<Writer> Node::open_writer(const std::string& topic, const idl::TypeSupport& support,
+                                          const Qos& qos) {
+  return value_or_throw(Writer::create(context_.participant(),
+                                       EndpointOptions::of(support, topic_to_dds(topic), qos, full_name_)));
 }
 
-std::shared_ptr<SubscriptionBase> Node::open_subscription(const std::string& topic, const idl::TypeSupport& support,
-                                                          const Qos& qos, SubscriptionBase::Callback callback,
+std::shared_ptr<SubscriptionBase> Node::open_subscription(const std::string& topic,
+                                                          const idl::TypeSupport& support, const Qos& qos,
+                                                          SubscriptionBase::Callback callback,
                                                           SubscribeOptions options) {
   auto report = [this, topic, name = std::string(support.ros_name)](const char* why) {
     log().warn("dropped a malformed message on {} ({}): {}", topic, name, why);
   };
-  auto base = std::make_shared<SubscriptionBase>(loop_, qos.keep_all ? 10'000 : std::max<std::uint32_t>(qos.depth, 1),
-                                                 options.immediate, std::move(callback), std::move(report));
+  auto base =
+      std::make_shared<SubscriptionBase>(loop_, qos.keep_all ? 10'000 : std::max<std::uint32_t>(qos.depth, 1),
+                                         options.immediate, std::move(callback), std::move(report));
   const auto opened =
       base->open(context_.participant(), EndpointOptions::of(support, topic_to_dds(topic), qos, full_name_));
   if (!opened) throw std::runtime_error(opened.error().message);

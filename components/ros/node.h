@@ -26,10 +26,10 @@ namespace goalnet::ros {
 struct NodeOptions {
   std::string name;
   std::string node_namespace = "/";
-  Arguments arguments;       // remaps, parameters, levels; -r __node and __ns win over the two above
-  bool rosout = true;        // write the log to /rosout too
-  bool use_sim_time = false; // default of the parameter use_sim_time
-  bool services = true;      // offer parameter, logger and type description services
+  Arguments arguments;        // remaps, parameters, levels; -r __node and __ns win over the two above
+  bool rosout = true;         // write the log to /rosout too
+  bool use_sim_time = false;  // default of the parameter use_sim_time
+  bool services = true;       // offer parameter, logger and type description services
 };
 
 // What a component's shell derives from, so that a launcher can hold any of them.
@@ -39,8 +39,8 @@ class Component {
 };
 
 // Belongs to the thread of its event loop, which with the context must outlive it. Construction throws
-// std::runtime_error, with a message for people, on bad names, bad parameter values and where DDS refuses; so do
-// advertise() and subscribe(), because a component without its topics cannot live.
+// std::runtime_error, with a message for people, on bad names, bad parameter values and where DDS refuses; so
+// do advertise() and subscribe(), because a component without its topics cannot live.
 class Node {
  public:
   Node(Context& context, EventLoop& loop, NodeOptions options);
@@ -75,7 +75,8 @@ class Node {
   // Declares a parameter and returns its value: the default, or what a file or -p says. Fails with
   // kInvalidRequest, naming the origin, if that has the wrong type or is out of range.
   template <class T>
-  Expected<T> declare_parameter(const std::string& name, const T& default_value, const ParameterDescriptor& descriptor = {}) {
+  Expected<T> declare_parameter(const std::string& name, const T& default_value,
+                                const ParameterDescriptor& descriptor = {}) {
     using Stored = typename ParameterTypeOf<T>::Type;
     auto value = parameters_.declare(name, ParameterValue(Stored(default_value)), descriptor);
     if (!value) return tl::unexpected(value.error());
@@ -108,9 +109,11 @@ class Node {
   std::string resolve(const std::string& name) const;
 
   // For components/ros: services, actions and tools build on these.
-  std::shared_ptr<Writer> open_writer(const std::string& topic, const idl::TypeSupport& support, const Qos& qos);
-  std::shared_ptr<SubscriptionBase> open_subscription(const std::string& topic, const idl::TypeSupport& support,
-                                                      const Qos& qos, SubscriptionBase::Callback callback,
+  std::shared_ptr<Writer> open_writer(const std::string& topic, const idl::TypeSupport& support,
+                                      const Qos& qos);
+  std::shared_ptr<SubscriptionBase> open_subscription(const std::string& topic,
+                                                      const idl::TypeSupport& support, const Qos& qos,
+                                                      SubscriptionBase::Callback callback,
                                                       SubscribeOptions options);
 
  private:

@@ -33,8 +33,9 @@ void list(const Parameters& parameters, const srv::ListParameters_Request& reque
   for (const std::string& name : parameters.names()) {
     bool listed = request.prefixes().empty() && deep_enough(name);
     for (const std::string& prefix : request.prefixes()) {
-      listed = listed || name == prefix ||
-               (name.starts_with(prefix + ".") && deep_enough(std::string_view(name).substr(prefix.size() + 1)));
+      listed =
+          listed || name == prefix ||
+          (name.starts_with(prefix + ".") && deep_enough(std::string_view(name).substr(prefix.size() + 1)));
     }
     if (!listed) continue;
     result.names().push_back(name);
@@ -100,64 +101,74 @@ void NodeServices::Impl::open_parameters() {
   // In rclcpp's and rclpy's order, so that node lists look alike.
   Parameters& parameters = node.parameters();
   events = node.advertise<rcl_interfaces::msg::ParameterEvent>("/parameter_events", Qos::parameters());
-  describe = std::make_unique<Server<srv::DescribeParameters>>(node, "~/describe_parameters", [&parameters](const auto& request, auto& response) {
-    for (const std::string& name : request.names()) {
-      const ParameterValue* value = parameters.find(name);
-      response.descriptors().push_back(value == nullptr ? to_message(name, {}, {})
-                                                        : to_message(name, *parameters.descriptor(name), *value));
-    }
-  });
-  get = std::make_unique<Server<srv::GetParameters>>(node, "~/get_parameters", [&parameters](const auto& request, auto& response) {
-    for (const std::string& name : request.names()) {
-      const ParameterValue* value = parameters.find(name);
-      response.values().push_back(to_message(value == nullptr ? ParameterValue() : *value));
-    }
-  });
-  get_types = std::make_unique<Server<srv::GetParameterTypes>>(node, "~/get_parameter_types", [&parameters](const auto& request, auto& response) {
-    for (const std::string& name : request.names()) {
-      const ParameterValue* value = parameters.find(name);
-      response.types().push_back(value == nullptr ? 0 : static_cast<std::uint8_t>(value->index()));
-    }
-  });
-  list_names = std::make_unique<Server<srv::ListParameters>>(node, "~/list_parameters", [&parameters](const auto& request, auto& response) {
-    list(parameters, request, response.result());
-  });
-  set_each = std::make_unique<Server<srv::SetParameters>>(node, "~/set_parameters", [&parameters](const auto& request, auto& response) {
-    for (const auto& one : request.parameters()) response.results().push_back(result_of(set(parameters, {one})));
-  });
+  describe = std::make_unique<Server<srv::DescribeParameters>>(
+      node, "~/describe_parameters", [&parameters](const auto& request, auto& response) {
+        for (const std::string& name : request.names()) {
+          const ParameterValue* value = parameters.find(name);
+          response.descriptors().push_back(value == nullptr
+                                               ? to_message(name, {}, {})
+                                               : to_message(name, *parameters.descriptor(name), *value));
+        }
+      });
+  get = std::make_unique<Server<srv::GetParameters>>(
+      node, "~/get_parameters", [&parameters](const auto& request, auto& response) {
+        for (const std::string& name : request.names()) {
+          const ParameterValue* value = parameters.find(name);
+          response.values().push_back(to_message(value == nullptr ? ParameterValue() : *value));
+        }
+      });
+  get_types = std::make_unique<Server<srv::GetParameterTypes>>(
+      node, "~/get_parameter_types", [&parameters](const auto& request, auto& response) {
+        for (const std::string& name : request.names()) {
+          const ParameterValue* value = parameters.find(name);
+          response.types().push_back(value == nullptr ? 0 : static_cast<std::uint8_t>(value->index()));
+        }
+      });
+  list_names = std::make_unique<Server<srv::ListParameters>>(
+      node, "~/list_parameters",
+      [&parameters](const auto& request, auto& response) { list(parameters, request, response.result()); });
+  set_each = std::make_unique<Server<srv::SetParameters>>(
+      node, "~/set_parameters", [&parameters](const auto& request, auto& response) {
+        for (const auto& one : request.parameters())
+          response.results().push_back(result_of(set(parameters, {one})));
+      });
   set_all = std::make_unique<Server<srv::SetParametersAtomically>>(
-      node, "~/set_parameters_atomically",
-      [&parameters](const auto& request, auto& response) { response.result(result_of(set(parameters, request.parameters()))); });
+      node, "~/set_parameters_atomically", [&parameters](const auto& request, auto& response) {
+        response.result(result_of(set(parameters, request.parameters())));
+      });
 }
 
 void NodeServices::Impl::open_loggers() {
-  get_levels = std::make_unique<Server<srv::GetLoggerLevels>>(node, "~/get_logger_levels", [this](const auto& request, auto& response) {
-    for (const std::string& name : request.names()) {
-      rcl_interfaces::msg::LoggerLevel level;
-      level.name(name);
-      if (name == node.log().name()) level.level(static_cast<std::uint32_t>(node.log().level()));
-      response.levels().push_back(level);
-    }
-  });
-  set_levels = std::make_unique<Server<srv::SetLoggerLevels>>(node, "~/set_logger_levels", [this](const auto& request, auto& response) {
-    for (const auto& level : request.levels()) {
-      rcl_interfaces::msg::SetLoggerLevelsResult result;
-      const bool known = level.name() == node.log().name();
-      const bool valid = level.level() % 10 == 0 && level.level() >= 10 && level.level() <= 50;
-      if (!known) result.reason("this node's logger is called " + node.log().name());
-      if (known && !valid) result.reason("a level is 10 (debug), 20, 30, 40 or 50 (fatal)");
-      result.successful(known && valid);
-      if (known && valid) node.log().set_level(static_cast<LogLevel>(level.level()));
-      response.results().push_back(result);
-    }
-  });
+  get_levels = std::make_unique<Server<srv::GetLoggerLevels>>(
+      node, "~/get_logger_levels", [this](const auto& request, auto& response) {
+        for (const std::string& name : request.names()) {
+          rcl_interfaces::msg::LoggerLevel level;
+          level.name(name);
+          if (name == node.log().name()) level.level(static_cast<std::uint32_t>(node.log().level()));
+          response.levels().push_back(level);
+        }
+      });
+  set_levels = std::make_unique<Server<srv::SetLoggerLevels>>(
+      node, "~/set_logger_levels", [this](const auto& request, auto& response) {
+        for (const auto& level : request.levels()) {
+          rcl_interfaces::msg::SetLoggerLevelsResult result;
+          const bool known = level.name() == node.log().name();
+          const bool valid = level.level() % 10 == 0 && level.level() >= 10 && level.level() <= 50;
+          if (!known) result.reason("this node's logger is called " + node.log().name());
+          if (known && !valid) result.reason("a level is 10 (debug), 20, 30, 40 or 50 (fatal)");
+          result.successful(known && valid);
+          if (known && valid) node.log().set_level(static_cast<LogLevel>(level.level()));
+          response.results().push_back(result);
+        }
+      });
 }
 
 NodeServices::NodeServices(Node& node) : impl_(std::make_shared<Impl>(node)) {
   impl_->open_parameters();
   if (node.context().distro() == Distro::kJazzy) {
     impl_->describe_type = std::make_unique<Server<type_description_interfaces::srv::GetTypeDescription>>(
-        node, "~/get_type_description", [](const auto& request, auto& response) { describe_type(request, response); });
+        node, "~/get_type_description",
+        [](const auto& request, auto& response) { describe_type(request, response); });
   }
   impl_->open_loggers();
   node.parameters().add_observer([weak = std::weak_ptr<Impl>(impl_)](const ParameterChange& change) {

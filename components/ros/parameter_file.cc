@@ -33,7 +33,8 @@ ParameterValue scalar(const YAML::Node& node) {
   const std::string& text = node.Scalar();
   if (node.Tag() == "!" || node.Tag() == "!!str" || node.Tag() == "tag:yaml.org,2002:str") return text;
   if (is_one_of(text, {"true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON", "y", "Y"})) return true;
-  if (is_one_of(text, {"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF", "n", "N"})) return false;
+  if (is_one_of(text, {"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF", "n", "N"}))
+    return false;
   if (is_one_of(text, {".nan", ".NaN", ".NAN"})) return std::numeric_limits<double>::quiet_NaN();
   if (is_one_of(text, {".inf", ".Inf", ".INF", "+.inf"})) return std::numeric_limits<double>::infinity();
   if (is_one_of(text, {"-.inf", "-.Inf", "-.INF"})) return -std::numeric_limits<double>::infinity();
@@ -53,7 +54,8 @@ Expected<ParameterValue> array(const YAML::Node& node, const std::string& origin
   std::vector<ParameterValue> values;
   std::array<bool, 10> kinds{};
   for (const auto& element : node) {
-    if (!element.IsScalar()) return bad(origin, element, "an array may only hold plain values, no arrays or groups");
+    if (!element.IsScalar())
+      return bad(origin, element, "an array may only hold plain values, no arrays or groups");
     values.push_back(scalar(element));
     kinds[values.back().index()] = true;
   }
@@ -84,7 +86,8 @@ Expected<void> collect_parameters(const YAML::Node& map, const std::string& node
     if (!entry.first.IsScalar()) return bad(origin, entry.first, "a parameter's name must be plain text");
     const std::string name = prefix + entry.first.Scalar();
     if (entry.second.IsMap()) {
-      if (auto ok = collect_parameters(entry.second, node, name + ".", origin, depth + 1, out); !ok) return ok;
+      if (auto ok = collect_parameters(entry.second, node, name + ".", origin, depth + 1, out); !ok)
+        return ok;
       continue;
     }
     Expected<ParameterValue> value = entry.second.IsSequence() ? array(entry.second, origin)
@@ -93,26 +96,30 @@ Expected<void> collect_parameters(const YAML::Node& map, const std::string& node
                                          : bad(origin, entry.first, "parameter '" + name + "' has no value");
     if (!value) return tl::unexpected(value.error());
     if (out.size() >= kMostParameters) return bad(origin, entry.first, "more than 10000 parameters");
-    out.push_back({node, name, std::move(*value), origin + ":" + std::to_string(entry.first.Mark().line + 1)});
+    out.push_back(
+        {node, name, std::move(*value), origin + ":" + std::to_string(entry.first.Mark().line + 1)});
   }
   return {};
 }
 
-Expected<void> collect_nodes(const YAML::Node& map, const std::string& prefix, const std::string& origin, int depth,
-                             std::vector<ParameterOverride>& out) {
+Expected<void> collect_nodes(const YAML::Node& map, const std::string& prefix, const std::string& origin,
+                             int depth, std::vector<ParameterOverride>& out) {
   if (depth > kDeepest) return bad(origin, map, "namespaces are nested more than 32 deep");
   for (const auto& entry : map) {
     if (!entry.first.IsScalar()) return bad(origin, entry.first, "a node's name must be plain text");
     const std::string key = entry.first.Scalar();
     if (key == "ros__parameters") {
-      if (prefix.empty()) return bad(origin, entry.first, "ros__parameters must stand below a node's name or /**");
-      if (!entry.second.IsMap()) return bad(origin, entry.first, "ros__parameters must hold 'name: value' lines");
+      if (prefix.empty())
+        return bad(origin, entry.first, "ros__parameters must stand below a node's name or /**");
+      if (!entry.second.IsMap())
+        return bad(origin, entry.first, "ros__parameters must hold 'name: value' lines");
       if (auto ok = collect_parameters(entry.second, prefix, "", origin, 0, out); !ok) return ok;
       continue;
     }
     if (!entry.second.IsMap()) {
       return bad(origin, entry.first,
-                 "'" + key.substr(0, 100) + "' is neither a node nor ros__parameters; write NODE: {ros__parameters: {name: value}}");
+                 "'" + key.substr(0, 100) +
+                     "' is neither a node nor ros__parameters; write NODE: {ros__parameters: {name: value}}");
     }
     const std::string path = key.starts_with("/") && prefix.empty() ? key : prefix + "/" + key;
     if (auto ok = collect_nodes(entry.second, path, origin, depth + 1, out); !ok) return ok;
@@ -122,12 +129,14 @@ Expected<void> collect_nodes(const YAML::Node& map, const std::string& prefix, c
 
 }  // namespace
 
-Expected<std::vector<ParameterOverride>> parse_parameters(const std::string& text, const std::string& origin) {
+Expected<std::vector<ParameterOverride>> parse_parameters(const std::string& text,
+                                                          const std::string& origin) {
   try {
     const YAML::Node root = YAML::Load(text);
     std::vector<ParameterOverride> out;
     if (root.IsNull()) return out;
-    if (!root.IsMap()) return bad(origin, root, "a parameter file must be NODE: {ros__parameters: {name: value}}");
+    if (!root.IsMap())
+      return bad(origin, root, "a parameter file must be NODE: {ros__parameters: {name: value}}");
     if (auto ok = collect_nodes(root, "", origin, 0, out); !ok) return tl::unexpected(ok.error());
     return out;
   } catch (const YAML::Exception& error) {
@@ -143,7 +152,8 @@ Expected<std::vector<ParameterOverride>> read_parameter_file(const std::string& 
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) return fail(Outcome::kInvalidRequest, "cannot read the parameter file " + path);
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kLargestFile) return fail(Outcome::kInvalidRequest, "the parameter file " + path + " is larger than 1 MiB");
+  if (text.size() > kLargestFile)
+    return fail(Outcome::kInvalidRequest, "the parameter file " + path + " is larger than 1 MiB");
   return parse_parameters(text, path);
 }
 
@@ -153,9 +163,11 @@ Expected<ParameterValue> parse_parameter_value(const std::string& text, const st
     if (node.IsSequence()) return array(node, origin);
     if (node.IsScalar()) return scalar(node);
     if (node.IsNull()) return ParameterValue(std::string());
-    return fail(Outcome::kInvalidRequest, origin + ": '" + text.substr(0, 100) + "' is neither a value nor an array");
+    return fail(Outcome::kInvalidRequest,
+                origin + ": '" + text.substr(0, 100) + "' is neither a value nor an array");
   } catch (const YAML::Exception& error) {
-    return fail(Outcome::kInvalidRequest, origin + ": '" + text.substr(0, 100) + "' is not valid YAML: " + error.msg);
+    return fail(Outcome::kInvalidRequest,
+                origin + ": '" + text.substr(0, 100) + "' is not valid YAML: " + error.msg);
   }
 }
 

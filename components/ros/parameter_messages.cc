@@ -9,16 +9,35 @@ msg::ParameterValue to_message(const ParameterValue& value) {
   msg::ParameterValue message;
   message.type(static_cast<std::uint8_t>(value.index()));
   switch (value.index()) {
-    case 1: message.bool_value(std::get<1>(value)); break;
-    case 2: message.integer_value(std::get<2>(value)); break;
-    case 3: message.double_value(std::get<3>(value)); break;
-    case 4: message.string_value(std::get<4>(value)); break;
-    case 5: message.byte_array_value(std::get<5>(value)); break;
-    case 6: message.bool_array_value(std::get<6>(value)); break;
-    case 7: message.integer_array_value(std::get<7>(value)); break;
-    case 8: message.double_array_value(std::get<8>(value)); break;
-    case 9: message.string_array_value(std::get<9>(value)); break;
-    default: break;
+    case 1:
+      message.bool_value(std::get<1>(value));
+      break;
+    case 2:
+      message.integer_value(std::get<2>(value));
+      break;
+    case 3:
+      message.double_value(std::get<3>(value));
+      break;
+    case 4:
+      message.string_value(std::get<4>(value));
+      break;
+    case 5:
+      message.byte_array_value(std::get<5>(value));
+      break;
+    case 6:
+      message.bool_array_value(std::get<6>(value));
+      break;
+    case 7:
+      message.integer_array_value(std::get<7>(value));
+      break;
+    case 8:
+      message.double_array_value(std::get<8>(value));
+      break;
+    case 9:
+      message.string_array_value(std::get<9>(value));
+      break;
+    default:
+      break;
   }
   return message;
 }
@@ -39,7 +58,8 @@ msg::ParameterDescriptor to_message(const std::string& name, const ParameterDesc
   message.additional_constraints(descriptor.additional_constraints);
   message.read_only(descriptor.read_only);
   if (!descriptor.range) return message;
-  const bool whole = std::holds_alternative<std::int64_t>(value) || std::holds_alternative<std::vector<std::int64_t>>(value);
+  const bool whole =
+      std::holds_alternative<std::int64_t>(value) || std::holds_alternative<std::vector<std::int64_t>>(value);
   if (whole) {
     msg::IntegerRange range;
     range.from_value(static_cast<std::int64_t>(descriptor.range->from));
@@ -58,17 +78,28 @@ msg::ParameterDescriptor to_message(const std::string& name, const ParameterDesc
 
 Expected<ParameterValue> from_message(const msg::ParameterValue& message) {
   switch (message.type()) {
-    case 0: return ParameterValue();
-    case 1: return ParameterValue(message.bool_value());
-    case 2: return ParameterValue(message.integer_value());
-    case 3: return ParameterValue(message.double_value());
-    case 4: return ParameterValue(message.string_value());
-    case 5: return ParameterValue(message.byte_array_value());
-    case 6: return ParameterValue(message.bool_array_value());
-    case 7: return ParameterValue(message.integer_array_value());
-    case 8: return ParameterValue(message.double_array_value());
-    case 9: return ParameterValue(message.string_array_value());
-    default: return fail(Outcome::kInvalidRequest, "unknown parameter type " + std::to_string(message.type()));
+    case 0:
+      return ParameterValue();
+    case 1:
+      return ParameterValue(message.bool_value());
+    case 2:
+      return ParameterValue(message.integer_value());
+    case 3:
+      return ParameterValue(message.double_value());
+    case 4:
+      return ParameterValue(message.string_value());
+    case 5:
+      return ParameterValue(message.byte_array_value());
+    case 6:
+      return ParameterValue(message.bool_array_value());
+    case 7:
+      return ParameterValue(message.integer_array_value());
+    case 8:
+      return ParameterValue(message.double_array_value());
+    case 9:
+      return ParameterValue(message.string_array_value());
+    default:
+      return fail(Outcome::kInvalidRequest, "unknown parameter type " + std::to_string(message.type()));
   }
 }
 

@@ -11,7 +11,8 @@ namespace goalnet::ros {
 
 rcl_interfaces::msg::ParameterValue to_message(const ParameterValue& value);
 rcl_interfaces::msg::Parameter to_message(const Parameter& parameter);
-rcl_interfaces::msg::ParameterDescriptor to_message(const std::string& name, const ParameterDescriptor& descriptor,
+rcl_interfaces::msg::ParameterDescriptor to_message(const std::string& name,
+                                                    const ParameterDescriptor& descriptor,
                                                     const ParameterValue& value);
 
 // kInvalidRequest for a type number that ROS 2 does not know.

@@ -42,8 +42,9 @@ std::string text(const std::vector<T>& values) {
 }  // namespace
 
 const char* type_name(const ParameterValue& value) {
-  static constexpr const char* kNames[] = {"not set",    "bool",          "integer",      "double",      "string",
-                                           "byte_array", "bool_array", "integer_array", "double_array", "string_array"};
+  static constexpr const char* kNames[] = {"not set",      "bool",        "integer",    "double",
+                                           "string",       "byte_array",  "bool_array", "integer_array",
+                                           "double_array", "string_array"};
   return kNames[value.index()];
 }
 

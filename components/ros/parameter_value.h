@@ -10,8 +10,8 @@ namespace goalnet::ros {
 
 // monostate: not set. The index equals rcl_interfaces/msg/ParameterType.
 using ParameterValue =
-    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<std::uint8_t>, std::vector<bool>,
-                 std::vector<std::int64_t>, std::vector<double>, std::vector<std::string>>;
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<std::uint8_t>,
+                 std::vector<bool>, std::vector<std::int64_t>, std::vector<double>, std::vector<std::string>>;
 
 // "bool", "integer", "double", "string", "byte_array", ...
 const char* type_name(const ParameterValue& value);

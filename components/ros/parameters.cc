@@ -7,7 +7,8 @@
 namespace goalnet::ros {
 namespace {
 
-// A range on numbers and on each element of number arrays. The step's tolerance is that of rclcpp: 1e-9 relative.
+// A range on numbers and on each element of number arrays. The step's tolerance is that of rclcpp: 1e-9
+// relative.
 std::string out_of_range(double value, const ParameterRange& range) {
   if (std::isnan(value) || value < range.from || value > range.to) {
     return fmt::format("{} is not within {} .. {}", value, range.from, range.to);
@@ -24,13 +25,15 @@ std::string fault_of(const ParameterValue& value, const ParameterDescriptor& des
   if (!descriptor.range) return "";
   const auto& range = *descriptor.range;
   if (const auto* number = std::get_if<double>(&value)) return out_of_range(*number, range);
-  if (const auto* number = std::get_if<std::int64_t>(&value)) return out_of_range(static_cast<double>(*number), range);
+  if (const auto* number = std::get_if<std::int64_t>(&value))
+    return out_of_range(static_cast<double>(*number), range);
   std::string fault;
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
     for (const double number : *numbers) fault = fault.empty() ? out_of_range(number, range) : fault;
   }
   if (const auto* numbers = std::get_if<std::vector<std::int64_t>>(&value)) {
-    for (const auto number : *numbers) fault = fault.empty() ? out_of_range(static_cast<double>(number), range) : fault;
+    for (const auto number : *numbers)
+      fault = fault.empty() ? out_of_range(static_cast<double>(number), range) : fault;
   }
   return fault;
 }
@@ -40,13 +43,15 @@ ParameterValue fitted(ParameterValue value, const ParameterValue& model) {
   if (std::holds_alternative<double>(model) && std::holds_alternative<std::int64_t>(value)) {
     return static_cast<double>(std::get<std::int64_t>(value));
   }
-  if (std::holds_alternative<std::vector<double>>(model) && std::holds_alternative<std::vector<std::int64_t>>(value)) {
+  if (std::holds_alternative<std::vector<double>>(model) &&
+      std::holds_alternative<std::vector<std::int64_t>>(value)) {
     const auto& whole = std::get<std::vector<std::int64_t>>(value);
     return std::vector<double>(whole.begin(), whole.end());
   }
   const auto* empty = std::get_if<std::vector<std::string>>(&value);
   if (empty != nullptr && empty->empty() && model.index() >= 5) {
-    return std::visit([](const auto& held) -> ParameterValue { return std::decay_t<decltype(held)>{}; }, model);
+    return std::visit([](const auto& held) -> ParameterValue { return std::decay_t<decltype(held)>{}; },
+                      model);
   }
   return value;
 }
@@ -60,7 +65,8 @@ void Parameters::set_override(const std::string& name, ParameterValue value, std
 Expected<ParameterValue> Parameters::declare(const std::string& name, const ParameterValue& default_value,
                                              const ParameterDescriptor& descriptor) {
   if (name.empty()) return fail(Outcome::kInvalidRequest, "a parameter without a name");
-  if (entries_.contains(name)) return fail(Outcome::kInvalidRequest, "parameter '" + name + "' is declared twice");
+  if (entries_.contains(name))
+    return fail(Outcome::kInvalidRequest, "parameter '" + name + "' is declared twice");
   ParameterValue value = default_value;
   std::string origin = "its default";
   if (const auto found = overrides_.find(name); found != overrides_.end()) {
@@ -79,7 +85,8 @@ Expected<ParameterValue> Parameters::declare(const std::string& name, const Para
   }
   for (const auto& validator : validators_) {
     if (auto ok = validator({{name, value}}); !ok) {
-      return fail(Outcome::kInvalidRequest, fmt::format("{}: parameter '{}': {}", origin, name, ok.error().message));
+      return fail(Outcome::kInvalidRequest,
+                  fmt::format("{}: parameter '{}': {}", origin, name, ok.error().message));
     }
   }
   entries_[name] = {value, descriptor};
@@ -106,15 +113,18 @@ std::vector<std::string> Parameters::names() const {
 Expected<void> Parameters::set(const std::vector<Parameter>& values) {
   for (const Parameter& parameter : values) {
     const auto refuse = [&](const std::string& why) {
-      return fail(Outcome::kInvalidRequest, fmt::format("parameter '{}' {}", parameter.name.substr(0, 200), why));
+      return fail(Outcome::kInvalidRequest,
+                  fmt::format("parameter '{}' {}", parameter.name.substr(0, 200), why));
     };
     const auto found = entries_.find(parameter.name);
     if (found == entries_.end()) return refuse("is not declared");
     if (found->second.descriptor.read_only) return refuse("is read-only");
     if (parameter.value.index() != found->second.value.index()) {
-      return refuse(fmt::format("is of type {}, not {}", type_name(found->second.value), type_name(parameter.value)));
+      return refuse(
+          fmt::format("is of type {}, not {}", type_name(found->second.value), type_name(parameter.value)));
     }
-    if (const auto fault = fault_of(parameter.value, found->second.descriptor); !fault.empty()) return refuse(": " + fault);
+    if (const auto fault = fault_of(parameter.value, found->second.descriptor); !fault.empty())
+      return refuse(": " + fault);
   }
   for (const auto& validator : validators_) {
     if (auto ok = validator(values); !ok) return ok;

@@ -50,8 +50,8 @@ class Parameters {
   // Values that declared parameters take instead of their defaults, with where each comes from.
   void set_override(const std::string& name, ParameterValue value, std::string origin);
 
-  // Declares and returns the value in force. kInvalidRequest if an override has another type or is out of range,
-  // or if the name is declared already.
+  // Declares and returns the value in force. kInvalidRequest if an override has another type or is out of
+  // range, or if the name is declared already.
   Expected<ParameterValue> declare(const std::string& name, const ParameterValue& default_value,
                                    const ParameterDescriptor& descriptor);
 
@@ -60,7 +60,8 @@ class Parameters {
   const ParameterDescriptor* descriptor(const std::string& name) const;
   std::vector<std::string> names() const;  // sorted
 
-  // Sets all or none. kInvalidRequest: unknown name, other type, out of range, read-only, refused by a validator.
+  // Sets all or none. kInvalidRequest: unknown name, other type, out of range, read-only, refused by a
+  // validator.
   Expected<void> set(const std::vector<Parameter>& values);
 
   void add_validator(Validator validator) { validators_.push_back(std::move(validator)); }
@@ -88,14 +89,16 @@ class Parameters {
   std::vector<Observer> observers_;
 };
 
-// The ParameterValue alternative that holds a C++ type: int64 for integers, double for floats, string for texts.
+// The ParameterValue alternative that holds a C++ type: int64 for integers, double for floats, string for
+// texts.
 template <class T>
 struct ParameterTypeOf {
   using Type = std::conditional_t<
       std::is_same_v<T, bool>, bool,
-      std::conditional_t<std::is_integral_v<T>, std::int64_t,
-                         std::conditional_t<std::is_floating_point_v<T>, double,
-                                            std::conditional_t<std::is_convertible_v<T, std::string>, std::string, T>>>>;
+      std::conditional_t<
+          std::is_integral_v<T>, std::int64_t,
+          std::conditional_t<std::is_floating_point_v<T>, double,
+                             std::conditional_t<std::is_convertible_v<T, std::string>, std::string, T>>>>;
 };
 
 }  // namespace goalnet::ros

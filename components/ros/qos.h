@@ -8,8 +8,8 @@ namespace goalnet::ros {
 
 struct Qos {
   bool reliable = true;
-  bool transient_local = false;       // late subscribers get the last `depth` messages
-  bool keep_all = false;              // otherwise keep last `depth`
+  bool transient_local = false;  // late subscribers get the last `depth` messages
+  bool keep_all = false;         // otherwise keep last `depth`
   std::uint32_t depth = 10;
   std::chrono::nanoseconds lifespan{0};  // older messages are dropped; 0: never
   std::chrono::nanoseconds deadline{0};  // a message is expected at least that often; 0: none
@@ -20,7 +20,9 @@ struct Qos {
   static Qos clock() { return {.reliable = false, .depth = 1}; }
   static Qos tf() { return {.depth = 100}; }
   static Qos tf_static() { return latched(); }
-  static Qos rosout() { return {.transient_local = true, .depth = 1000, .lifespan = std::chrono::seconds(10)}; }
+  static Qos rosout() {
+    return {.transient_local = true, .depth = 1000, .lifespan = std::chrono::seconds(10)};
+  }
   // On the wire as every ROS 2 service; a deeper history than rmw's 10, so that bursts lose nothing.
   static Qos services() { return {.depth = 1000}; }
   static Qos parameters() { return {.depth = 1000}; }

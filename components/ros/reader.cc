@@ -18,7 +18,9 @@ SampleId to_sample_id(const rtps::SampleIdentity& identity) {
   const rtps::SequenceNumber_t unknown = rtps::SequenceNumber_t::unknown();
   SampleId id;
   id.writer = detail::to_gid(identity.writer_guid());
-  id.sequence = identity.sequence_number() == unknown ? 0 : static_cast<std::int64_t>(identity.sequence_number().to64long());
+  id.sequence = identity.sequence_number() == unknown
+                    ? 0
+                    : static_cast<std::int64_t>(identity.sequence_number().to64long());
   return id;
 }
 
@@ -49,7 +51,8 @@ bool Reader::Impl::take_one(dds::DataReader* source) {
   detail::Incoming in;
   std::shared_ptr<void> message;
   if (options.support != nullptr) {
-    message = spare ? std::move(spare) : std::shared_ptr<void>(options.support->create(), options.support->destroy);
+    message =
+        spare ? std::move(spare) : std::shared_ptr<void>(options.support->create(), options.support->destroy);
     in.support = options.support;
     in.layout = layout;
     in.message = message.get();
@@ -88,8 +91,8 @@ Expected<std::shared_ptr<Reader>> Reader::create(const std::shared_ptr<detail::P
   if (options.support != nullptr) impl->layout = &detail::layout_of(*options.support);
   auto topic = participant->acquire_topic(options.dds_topic, options.dds_type);
   if (!topic) return tl::unexpected(topic.error());
-  const auto qos =
-      detail::reader_qos(options.qos, detail::endpoint_user_data(participant->settings().distro, options.type_hash));
+  const auto qos = detail::reader_qos(
+      options.qos, detail::endpoint_user_data(participant->settings().distro, options.type_hash));
   impl->reader = participant->subscriber().create_datareader(
       *topic, qos, impl.get(), dds::StatusMask::data_available() << dds::StatusMask::subscription_matched());
   if (impl->reader == nullptr) {

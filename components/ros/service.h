@@ -37,23 +37,27 @@ ServiceTypes service_types() {
   return {&idl::type_support<typename Service::Request>(), &idl::type_support<typename Service::Response>()};
 }
 
-// Callbacks run in the node's loop and end with the server. Construction throws std::runtime_error as Node does.
+// Callbacks run in the node's loop and end with the server. Construction throws std::runtime_error as Node
+// does.
 template <class Service>
 class Server {
  public:
   using Request = typename Service::Request;
   using Response = typename Service::Response;
   using Callback = std::function<void(const Request& request, Response& response)>;
-  using DeferredCallback = std::function<void(std::shared_ptr<const Request> request, Responder<Service> responder)>;
+  using DeferredCallback =
+      std::function<void(std::shared_ptr<const Request> request, Responder<Service> responder)>;
 
   Server(Node& node, const std::string& service, Callback callback, const Qos& qos = Qos::services())
-      : Server(node, service,
-               [call = std::move(callback)](std::shared_ptr<const Request> request, Responder<Service> responder) {
-                 Response response;
-                 call(*request, response);
-                 responder.send(std::move(response));
-               },
-               qos, 0) {}
+      : Server(
+            node, service,
+            [call = std::move(callback)](std::shared_ptr<const Request> request,
+                                         Responder<Service> responder) {
+              Response response;
+              call(*request, response);
+              responder.send(std::move(response));
+            },
+            qos, 0) {}
 
   // For answers that take their time.
   static std::unique_ptr<Server> deferred(Node& node, const std::string& service, DeferredCallback callback,
@@ -64,10 +68,12 @@ class Server {
   const std::string& name() const { return name_; }
 
  private:
-  Server(Node& node, const std::string& service, DeferredCallback callback, const Qos& qos, int) : name_(node.resolve(service)) {
+  Server(Node& node, const std::string& service, DeferredCallback callback, const Qos& qos, int)
+      : name_(node.resolve(service)) {
     // The handler finds its own server through this slot: the base cannot exist before its handler.
     auto slot = std::make_shared<std::weak_ptr<ServiceServerBase>>();
-    auto handler = [slot, call = std::move(callback)](std::shared_ptr<void> request, const SampleId& reply_to) {
+    auto handler = [slot, call = std::move(callback)](std::shared_ptr<void> request,
+                                                      const SampleId& reply_to) {
       call(std::static_pointer_cast<const Request>(std::move(request)), Responder<Service>(*slot, reply_to));
     };
     auto report = [&node, name = name_](const std::string& why) {
@@ -100,7 +106,8 @@ class Client {
   }
 
   // The callback comes exactly once from the loop: the response, or kTimeLimit.
-  void call(const Request& request, Callback callback, std::chrono::nanoseconds timeout = std::chrono::seconds(10)) {
+  void call(const Request& request, Callback callback,
+            std::chrono::nanoseconds timeout = std::chrono::seconds(10)) {
     base_->call(&request, timeout, [call = std::move(callback)](Expected<std::shared_ptr<void>> response) {
       if (!response) {
         call(tl::unexpected(response.error()));
@@ -111,7 +118,8 @@ class Client {
   }
 
   // Calls and runs the loop until the answer is there. Not from within a callback.
-  Expected<Response> call_and_run(const Request& request, std::chrono::nanoseconds timeout = std::chrono::seconds(10)) {
+  Expected<Response> call_and_run(const Request& request,
+                                  std::chrono::nanoseconds timeout = std::chrono::seconds(10)) {
     auto result = std::make_shared<std::optional<Expected<Response>>>();
     call(
         request,

@@ -17,11 +17,13 @@ bool from_cyclone(const Gid& gid) { return gid[0] == 0x01 && gid[1] == 0x10; }
 
 bool is_reader(const Gid& gid) { return (gid[15] & 0x3f) == 0x04 || (gid[15] & 0x3f) == 0x07; }
 
-EndpointOptions request_options(ServiceTypes types, const std::string& service, const Qos& qos, const std::string& node) {
+EndpointOptions request_options(ServiceTypes types, const std::string& service, const Qos& qos,
+                                const std::string& node) {
   return EndpointOptions::of(*types.request, service_request_to_dds(service), qos, node);
 }
 
-EndpointOptions reply_options(ServiceTypes types, const std::string& service, const Qos& qos, const std::string& node) {
+EndpointOptions reply_options(ServiceTypes types, const std::string& service, const Qos& qos,
+                              const std::string& node) {
   return EndpointOptions::of(*types.response, service_reply_to_dds(service), qos, node);
 }
 
@@ -31,8 +33,8 @@ ServiceServerBase::ServiceServerBase(EventLoop& loop, Handler handler, DropRepor
     : loop_(loop), handler_(std::move(handler)), report_(std::move(report)) {}
 
 Expected<void> ServiceServerBase::open(const std::shared_ptr<detail::Participant>& participant,
-                                       const std::string& service, const std::string& node, ServiceTypes types,
-                                       const Qos& qos) {
+                                       const std::string& service, const std::string& node,
+                                       ServiceTypes types, const Qos& qos) {
   Reader::Callbacks callbacks;
   callbacks.on_message = [this](std::shared_ptr<void> request, const SampleInfo& info) {
     on_request(std::move(request), info);
@@ -41,11 +43,12 @@ Expected<void> ServiceServerBase::open(const std::shared_ptr<detail::Participant
   // The reader first, as rmw does: node lists then show the endpoints in the same order.
   auto reader = Reader::create(participant, request_options(types, service, qos, node), std::move(callbacks));
   if (!reader) return tl::unexpected(reader.error());
-  auto writer = Writer::create(participant, reply_options(types, service, qos, node), [weak = weak_from_this(), this] {
-    loop_.post([weak] {
-      if (auto self = weak.lock()) self->flush_waiting();
-    });
-  });
+  auto writer =
+      Writer::create(participant, reply_options(types, service, qos, node), [weak = weak_from_this(), this] {
+        loop_.post([weak] {
+          if (auto self = weak.lock()) self->flush_waiting();
+        });
+      });
   if (!writer) return tl::unexpected(writer.error());
   requests_reader_ = std::move(*reader);
   replies_ = std::move(*writer);
@@ -54,7 +57,8 @@ Expected<void> ServiceServerBase::open(const std::shared_ptr<detail::Participant
 
 void ServiceServerBase::on_request(std::shared_ptr<void> request, const SampleInfo& info) {
   if (from_cyclone(info.id.writer)) {
-    on_dropped("it comes from rmw_cyclonedds, whose service format differs; use rmw_fastrtps_cpp on both sides");
+    on_dropped(
+        "it comes from rmw_cyclonedds, whose service format differs; use rmw_fastrtps_cpp on both sides");
     return;
   }
   SampleId reply_to = info.id;
@@ -113,8 +117,8 @@ ServiceClientBase::ServiceClientBase(EventLoop& loop) : loop_(loop) {}
 ServiceClientBase::~ServiceClientBase() = default;
 
 Expected<void> ServiceClientBase::open(const std::shared_ptr<detail::Participant>& participant,
-                                       const std::string& service, const std::string& node, ServiceTypes types,
-                                       const Qos& qos) {
+                                       const std::string& service, const std::string& node,
+                                       ServiceTypes types, const Qos& qos) {
   service_ = service;
   Reader::Callbacks callbacks;
   callbacks.on_message = [this](std::shared_ptr<void> response, const SampleInfo& info) {
@@ -148,9 +152,10 @@ void ServiceClientBase::on_reply(std::shared_ptr<void> response, const SampleInf
   if (from_cyclone(info.id.writer)) return;
   const Gid& asked = info.related.writer;
   if (!replies_ || (asked != replies_->gid() && asked != requests_->gid())) return;
-  loop_.post([weak = weak_from_this(), response = std::move(response), sequence = info.related.sequence]() mutable {
-    if (auto self = weak.lock()) self->finish(sequence, std::move(response));
-  });
+  loop_.post(
+      [weak = weak_from_this(), response = std::move(response), sequence = info.related.sequence]() mutable {
+        if (auto self = weak.lock()) self->finish(sequence, std::move(response));
+      });
 }
 
 void ServiceClientBase::finish(std::int64_t sequence, std::shared_ptr<void> response) {
@@ -174,7 +179,8 @@ void ServiceClientBase::drop_late() {
     it = pending_.erase(it);
   }
   if (pending_.empty()) watch_->cancel();
-  for (const Callback& callback : late) callback(fail(Outcome::kTimeLimit, "no answer from the service " + service_));
+  for (const Callback& callback : late)
+    callback(fail(Outcome::kTimeLimit, "no answer from the service " + service_));
 }
 
 bool ServiceClientBase::ready() const { return requests_->matched() > 0 && replies_->matched() > 0; }
@@ -182,7 +188,8 @@ bool ServiceClientBase::ready() const { return requests_->matched() > 0 && repli
 bool ServiceClientBase::wait_for_service(std::chrono::nanoseconds timeout) const {
   const auto end = std::chrono::steady_clock::now() + timeout;
   return requests_->wait_for_matched(1, timeout) &&
-         replies_->wait_for_matched(1, std::max(end - std::chrono::steady_clock::now(), std::chrono::nanoseconds(0)));
+         replies_->wait_for_matched(
+             1, std::max(end - std::chrono::steady_clock::now(), std::chrono::nanoseconds(0)));
 }
 
 }  // namespace goalnet::ros

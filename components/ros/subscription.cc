@@ -4,7 +4,11 @@ namespace goalnet::ros {
 
 SubscriptionBase::SubscriptionBase(EventLoop& loop, std::size_t depth, bool immediate, Callback callback,
                                    DropReport report)
-    : loop_(loop), depth_(depth), immediate_(immediate), callback_(std::move(callback)), report_(std::move(report)) {}
+    : loop_(loop),
+      depth_(depth),
+      immediate_(immediate),
+      callback_(std::move(callback)),
+      report_(std::move(report)) {}
 
 Expected<void> SubscriptionBase::open(const std::shared_ptr<detail::Participant>& participant,
                                       const EndpointOptions& options) {

@@ -20,15 +20,16 @@ struct SubscribeOptions {
   bool immediate = false;
 };
 
-// The part of a subscription that does not depend on the type: a queue of at most `depth` messages (the oldest
-// are dropped), drained by the event loop in order of arrival.
+// The part of a subscription that does not depend on the type: a queue of at most `depth` messages (the
+// oldest are dropped), drained by the event loop in order of arrival.
 class SubscriptionBase : public std::enable_shared_from_this<SubscriptionBase> {
  public:
   using Callback = std::function<void(const void* message, const SampleInfo& info)>;
   using DropReport = std::function<void(const char* why)>;  // runs in the event loop
   SubscriptionBase(EventLoop& loop, std::size_t depth, bool immediate, Callback callback, DropReport report);
 
-  Expected<void> open(const std::shared_ptr<detail::Participant>& participant, const EndpointOptions& options);
+  Expected<void> open(const std::shared_ptr<detail::Participant>& participant,
+                      const EndpointOptions& options);
 
   const Reader& reader() const { return *reader_; }
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
@@ -57,9 +58,11 @@ class SubscriptionBase : public std::enable_shared_from_this<SubscriptionBase> {
 template <class Message>
 class Subscription {
  public:
-  Subscription(std::shared_ptr<SubscriptionBase> base, std::string topic) : base_(std::move(base)), topic_(std::move(topic)) {}
+  Subscription(std::shared_ptr<SubscriptionBase> base, std::string topic)
+      : base_(std::move(base)), topic_(std::move(topic)) {}
 
-  bool wait_for_publishers(std::size_t count = 1, std::chrono::nanoseconds timeout = std::chrono::seconds(5)) const {
+  bool wait_for_publishers(std::size_t count = 1,
+                           std::chrono::nanoseconds timeout = std::chrono::seconds(5)) const {
     return base_->reader().wait_for_matched(count, timeout);
   }
   std::size_t publisher_count() const { return base_->reader().matched(); }

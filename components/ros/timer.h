@@ -14,8 +14,8 @@ class EventLoop;
 // Lives as long as its owner keeps the shared_ptr. Used from the loop's thread only.
 class Timer {
  public:
-  // `period` > 0. First call one period from now. A period that was missed (the loop was busy, time jumped) is
-  // skipped, not made up for.
+  // `period` > 0. First call one period from now. A period that was missed (the loop was busy, time jumped)
+  // is skipped, not made up for.
   static std::shared_ptr<Timer> create(EventLoop& loop, Clock& clock, std::chrono::nanoseconds period,
                                        std::function<void()> callback);
 

@@ -34,7 +34,8 @@ msg::TypeDescription to_message(const idl::TypeDescription& type) {
   msg::TypeDescription out;
   out.type_description(individual(type));
   for (const char* const* name = type.referenced; *name != nullptr; ++name) {
-    if (const auto* part = idl::find_type(*name)) out.referenced_type_descriptions().push_back(individual(*part));
+    if (const auto* part = idl::find_type(*name))
+      out.referenced_type_descriptions().push_back(individual(*part));
   }
   return out;
 }

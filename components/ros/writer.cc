@@ -1,5 +1,5 @@
-#include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/rtps/common/WriteParams.h>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
 
 #include "components/ros/detail/matches.h"
 #include "components/ros/detail/message_type.h"
@@ -34,23 +34,25 @@ struct Writer::Impl : dds::DataWriterListener {
 Writer::Writer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::Participant>& participant,
-                                                 const EndpointOptions& options, std::function<void()> on_matched) {
+                                                 const EndpointOptions& options,
+                                                 std::function<void()> on_matched) {
   auto impl = std::make_unique<Impl>();
   impl->participant = participant;
   impl->options = options;
   impl->on_matched = std::move(on_matched);
   auto topic = participant->acquire_topic(options.dds_topic, options.dds_type);
   if (!topic) return tl::unexpected(topic.error());
-  const auto qos =
-      detail::writer_qos(options.qos, detail::endpoint_user_data(participant->settings().distro, options.type_hash));
-  impl->writer =
-      participant->publisher().create_datawriter(*topic, qos, impl.get(), dds::StatusMask::publication_matched());
+  const auto qos = detail::writer_qos(
+      options.qos, detail::endpoint_user_data(participant->settings().distro, options.type_hash));
+  impl->writer = participant->publisher().create_datawriter(*topic, qos, impl.get(),
+                                                            dds::StatusMask::publication_matched());
   if (impl->writer == nullptr) {
     participant->release_topic(options.dds_topic);
     return fail(Outcome::kInternal, "Fast DDS cannot make a writer for " + options.dds_topic);
   }
   impl->gid = detail::to_gid(impl->writer->guid());
-  participant->note_writer(options.dds_topic, options.dds_type, options.qos.reliable, options.qos.transient_local);
+  participant->note_writer(options.dds_topic, options.dds_type, options.qos.reliable,
+                           options.qos.transient_local);
   participant->add_endpoint(options.node, impl->gid, true);
   return std::shared_ptr<Writer>(new Writer(std::move(impl)));
 }
@@ -75,8 +77,8 @@ bool Writer::write_related(const void* message, const SampleId& related, SampleI
   out.message = message;
   rtps::WriteParams params;
   params.related_sample_identity().writer_guid(detail::to_guid(related.writer));
-  params.related_sample_identity().sequence_number() =
-      rtps::SequenceNumber_t(static_cast<std::int32_t>(related.sequence >> 32), static_cast<std::uint32_t>(related.sequence));
+  params.related_sample_identity().sequence_number() = rtps::SequenceNumber_t(
+      static_cast<std::int32_t>(related.sequence >> 32), static_cast<std::uint32_t>(related.sequence));
   if (!impl_->writer->write(&out, params)) return false;
   if (id != nullptr) {
     id->writer = detail::to_gid(params.sample_identity().writer_guid());
@@ -100,7 +102,7 @@ bool Writer::wait_for_matched(std::size_t count, std::chrono::nanoseconds timeou
 bool Writer::wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(timeout);
   const eprosima::fastrtps::Duration_t limit(static_cast<std::int32_t>(seconds.count()),
-                              static_cast<std::uint32_t>((timeout - seconds).count()));
+                                             static_cast<std::uint32_t>((timeout - seconds).count()));
   return impl_->writer->wait_for_acknowledgments(limit) == ReturnCode_t::RETCODE_OK;
 }
 

@@ -19,7 +19,9 @@ TEST(CycloneLoop, ReadsWhileTheRobotWorks) {
   const std::map<std::string, std::string> environment = {{"ROS_DOMAIN_ID", domain}};
   Process reader({testing_support::program("cyclone_peer"), "read", domain, "60"}, environment);
   ASSERT_TRUE(reader.wait_for_text("ready", 5s));
-  Process robot({testing_support::program("goalnet"), "run", "--goal", "(On Mug_1 Sink)", "--seed", "1", "--json"}, environment);
+  Process robot(
+      {testing_support::program("goalnet"), "run", "--goal", "(On Mug_1 Sink)", "--seed", "1", "--json"},
+      environment);
   const auto result = robot.wait(90s);
   EXPECT_EQ(result.exit_code, 0) << result.err.substr(0, 2000);
   const std::string out = reader.out();

@@ -1,5 +1,6 @@
-// goalnet and Cyclone DDS on one network: topics both ways, foreign service requests, and many peers that come
-// and go at once (Fast DDS 2.9.1 has an assertion that such peers can trip; see components/ros/README.md).
+// goalnet and Cyclone DDS on one network: topics both ways, foreign service requests, and many peers that
+// come and go at once (Fast DDS 2.9.1 has an assertion that such peers can trip; see
+// components/ros/README.md).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,8 +26,9 @@ const int kDomain = test_domain(127);
 
 std::unique_ptr<Process> peer(const std::string& mode, const std::string& seconds) {
   const std::map<std::string, std::string> none;
-  return std::make_unique<Process>(
-      std::vector<std::string>{testing_support::program("cyclone_peer"), mode, std::to_string(kDomain), seconds}, none);
+  return std::make_unique<Process>(std::vector<std::string>{testing_support::program("cyclone_peer"), mode,
+                                                            std::to_string(kDomain), seconds},
+                                   none);
 }
 
 goalnet_msgs::msg::WorldState world() {
@@ -89,7 +91,8 @@ TEST(Cyclone, RequestsInItsOwnFormatAreNotExecuted) {
   Node node(*context, loop, plain("robot"));
   int calls = 0;
   int warnings = 0;
-  node.log().set_sink([&](const LogRecord& record) { warnings += record.text.find("rmw_cyclonedds") != std::string::npos; });
+  node.log().set_sink(
+      [&](const LogRecord& record) { warnings += record.text.find("rmw_cyclonedds") != std::string::npos; });
   Server<example_interfaces::srv::AddTwoInts> server(node, "/add", [&](const auto&, auto&) { ++calls; });
   auto caller = peer("call", "3");
   EXPECT_TRUE(loop.run_for(3s, [&] { return warnings > 0; }));

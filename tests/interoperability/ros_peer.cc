@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
   NodeOptions options;
   options.name = "peer";
   Node node(**context, loop, options);
-  Server<AddTwoInts> add(node, "/add", [](const auto& request, auto& response) { response.sum(request.a() + request.b()); });
+  Server<AddTwoInts> add(
+      node, "/add", [](const auto& request, auto& response) { response.sum(request.a() + request.b()); });
   std::vector<std::shared_ptr<GoalHandle<Fibonacci>>> goals;
   std::map<GoalId, int> rounds;
   ActionServer<Fibonacci> fib(node, "/fib",

@@ -1,5 +1,5 @@
-// Services and actions between two processes: nothing lost, nothing doubled, nothing stuck; also while the other
-// process is killed and started again.
+// Services and actions between two processes: nothing lost, nothing doubled, nothing stuck; also while the
+// other process is killed and started again.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -63,10 +63,11 @@ TEST_F(TwoProcesses, AThousandCallsAndTwoHundredGoals) {
   std::map<GoalState, int> ends;
   int results = 0;
   for (int i = 0; i < 200; ++i) {
-    const GoalId id = fib.send(order(1 + static_cast<int>(random() % 20)), {.on_response = {}, .on_feedback = {}, .on_result = [&](auto result) {
-                                 ++results;
-                                 if (result) ++ends[result->first];
-                               }});
+    const GoalId id = fib.send(order(1 + static_cast<int>(random() % 20)),
+                               {.on_response = {}, .on_feedback = {}, .on_result = [&](auto result) {
+                                  ++results;
+                                  if (result) ++ends[result->first];
+                                }});
     loop.run_for(std::chrono::microseconds(random() % 3000));
     if (random() % 2 == 0) fib.cancel(id);
   }
@@ -92,13 +93,17 @@ TEST_F(TwoProcesses, KilledAndRestartedTenTimes) {
       ++sent;
       AddTwoInts::Request request;
       request.a(i);
-      add.call(request, [&, i](Expected<std::shared_ptr<AddTwoInts::Response>> response) {
-        ++ended;
-        if (response) good += (*response)->sum() == i;
-      }, 1s);
+      add.call(
+          request,
+          [&, i](Expected<std::shared_ptr<AddTwoInts::Response>> response) {
+            ++ended;
+            if (response) good += (*response)->sum() == i;
+          },
+          1s);
       if (i % 5 == 0) {
         ++sent;
-        fib.send(order(3), {.on_response = {}, .on_feedback = {}, .on_result = [&](auto) { ++ended; }}, 1s, 1s);
+        fib.send(order(3), {.on_response = {}, .on_feedback = {}, .on_result = [&](auto) { ++ended; }}, 1s,
+                 1s);
       }
       loop.run_for(std::chrono::microseconds(random() % 1500));
       if (i == 40) peer->signal(SIGKILL);

@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <condition_variable>
-#include <mutex>
 #include <chrono>
+#include <condition_variable>
 #include <filesystem>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -35,7 +35,8 @@ class Peer {
  public:
   explicit Peer(int domain) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "goalnet-bench-peer";
-    if (!std::filesystem::exists(program)) throw std::runtime_error("bench ros needs " + program.string() + "; build it");
+    if (!std::filesystem::exists(program))
+      throw std::runtime_error("bench ros needs " + program.string() + "; build it");
     int ends[2];
     if (pipe(ends) != 0) throw std::runtime_error("bench ros: no pipe");
     const std::string text = std::to_string(domain);
@@ -52,7 +53,8 @@ class Peer {
   ~Peer() {
     close(input_);
     int status = 0;
-    for (int i = 0; i < 300 && waitpid(pid_, &status, WNOHANG) == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    for (int i = 0; i < 300 && waitpid(pid_, &status, WNOHANG) == 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     kill(pid_, SIGKILL);
     waitpid(pid_, &status, 0);
   }
@@ -91,20 +93,24 @@ class RoundTrips {
  public:
   RoundTrips(ros::Node& node, int domain)
       : node_(node),
-        plain_(domain, "rt/bench/plain_pong", "rt/bench/plain_ping", [this](const std::string&) { plain_echo_.arrived(); }),
+        plain_(domain, "rt/bench/plain_pong", "rt/bench/plain_ping",
+               [this](const std::string&) { plain_echo_.arrived(); }),
         direct_out_(node.advertise<String>("/bench/direct_ping")),
-        direct_in_(node.subscribe<String>(
-            "/bench/direct_pong", ros::Qos::standard(), [this](const String&) { direct_echo_.arrived(); },
-            {.immediate = true})),
+        direct_in_(node.subscribe<String>("/bench/direct_pong", ros::Qos::standard(),
+                                          [this](const String&) { direct_echo_.arrived(); },
+                                          {.immediate = true})),
         queued_out_(node.advertise<String>("/bench/queued_ping")),
-        queued_in_(node.subscribe<String>("/bench/queued_pong", ros::Qos::standard(), [this](const String&) { ++queued_; })),
+        queued_in_(node.subscribe<String>("/bench/queued_pong", ros::Qos::standard(),
+                                          [this](const String&) { ++queued_; })),
         client_(node, "/bench/add"),
         text_(kMessageBytes, 'x') {
     message_.data(text_);
     const auto end = SteadyClock::now() + kPatience;
-    while (!plain_.matched() && SteadyClock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    while (!plain_.matched() && SteadyClock::now() < end)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (!plain_.matched() || !direct_out_->wait_for_subscribers() || !direct_in_->wait_for_publishers() ||
-        !queued_out_->wait_for_subscribers() || !queued_in_->wait_for_publishers() || !client_.wait_for_service()) {
+        !queued_out_->wait_for_subscribers() || !queued_in_->wait_for_publishers() ||
+        !client_.wait_for_service()) {
       throw std::runtime_error("bench ros: goalnet-bench-peer was not found");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(500));  // until the other side has matched as well
@@ -165,7 +171,8 @@ double start_to_first_message(int domain) {
 }
 
 double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
   return values[values.size() / 2];
 }
 

@@ -5,7 +5,8 @@
 
 namespace goalnet::tools {
 
-// Starts goalnet-bench-peer (beside the running program) as the other process. Throws where it does not answer.
+// Starts goalnet-bench-peer (beside the running program) as the other process. Throws where it does not
+// answer.
 nlohmann::json bench_ros(const BenchOptions& options);
 
 }  // namespace goalnet::tools

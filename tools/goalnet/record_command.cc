@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kHelp =
     "usage: goalnet record DIRECTORY [TOPIC...] [--ros-args …]\n"
     "\n"
-    "Records topics of ROS 2 nodes on this domain into a new rosbag2 directory (MCAP) until Ctrl-C: all topics of\n"
+    "Records topics of ROS 2 nodes on this domain into a new rosbag2 directory (MCAP) until Ctrl-C: all "
+    "topics of\n"
     "known types, or those named. `ros2 bag info`, `ros2 bag play` and Foxglove open it.\n"
     "GOALNET_ROS_DISTRO=humble writes what Humble reads.\n";
 

@@ -34,12 +34,16 @@ std::string escaped(const std::string& text) {
 std::string qos_yaml(const Qos& qos, Distro distro) {
   const bool words = distro == Distro::kJazzy;
   const std::string history = words ? (qos.keep_all ? "keep_all" : "keep_last") : (qos.keep_all ? "2" : "1");
-  const std::string reliability = words ? (qos.reliable ? "reliable" : "best_effort") : (qos.reliable ? "1" : "2");
-  const std::string durability = words ? (qos.transient_local ? "transient_local" : "volatile") : (qos.transient_local ? "1" : "2");
+  const std::string reliability =
+      words ? (qos.reliable ? "reliable" : "best_effort") : (qos.reliable ? "1" : "2");
+  const std::string durability =
+      words ? (qos.transient_local ? "transient_local" : "volatile") : (qos.transient_local ? "1" : "2");
   return fmt::format(
-      "- history: {}\n  depth: {}\n  reliability: {}\n  durability: {}\n  deadline:\n    {}\n  lifespan:\n    {}\n"
+      "- history: {}\n  depth: {}\n  reliability: {}\n  durability: {}\n  deadline:\n    {}\n  lifespan:\n   "
+      " {}\n"
       "  liveliness: {}\n  liveliness_lease_duration:\n    {}\n  avoid_ros_namespace_conventions: false",
-      history, qos.depth, reliability, durability, span(qos.deadline), span(qos.lifespan), words ? "automatic" : "1", kForever);
+      history, qos.depth, reliability, durability, span(qos.deadline), span(qos.lifespan),
+      words ? "automatic" : "1", kForever);
 }
 
 std::string bag_metadata(const BagSummary& summary, Distro distro) {
@@ -47,12 +51,15 @@ std::string bag_metadata(const BagSummary& summary, Distro distro) {
   std::uint64_t messages = 0;
   for (const BagTopic& topic : summary.topics) messages += topic.message_count;
   std::string out = fmt::format(
-      "rosbag2_bagfile_information:\n  version: {}\n  storage_identifier: mcap\n  duration:\n    nanoseconds: {}\n"
-      "  starting_time:\n    nanoseconds_since_epoch: {}\n  message_count: {}\n  topics_with_message_count:{}\n",
+      "rosbag2_bagfile_information:\n  version: {}\n  storage_identifier: mcap\n  duration:\n    "
+      "nanoseconds: {}\n"
+      "  starting_time:\n    nanoseconds_since_epoch: {}\n  message_count: {}\n  "
+      "topics_with_message_count:{}\n",
       jazzy ? 9 : 5, summary.duration, summary.start, messages, summary.topics.empty() ? " []" : "");
   for (const BagTopic& topic : summary.topics) {
-    out += fmt::format("    - topic_metadata:\n        name: {}\n        type: {}\n        serialization_format: cdr\n",
-                       topic.name, topic.type);
+    out += fmt::format(
+        "    - topic_metadata:\n        name: {}\n        type: {}\n        serialization_format: cdr\n",
+        topic.name, topic.type);
     if (jazzy) {
       out += "        offered_qos_profiles:\n" + indented(qos_yaml(topic.qos, distro), "          ");
       out += fmt::format("        type_description_hash: {}\n", topic.type_hash);
@@ -62,8 +69,10 @@ std::string bag_metadata(const BagSummary& summary, Distro distro) {
     out += fmt::format("      message_count: {}\n", topic.message_count);
   }
   out += fmt::format(
-      "  compression_format: \"\"\n  compression_mode: \"\"\n  relative_file_paths:\n    - {0}\n  files:\n    - path: {0}\n"
-      "      starting_time:\n        nanoseconds_since_epoch: {1}\n      duration:\n        nanoseconds: {2}\n"
+      "  compression_format: \"\"\n  compression_mode: \"\"\n  relative_file_paths:\n    - {0}\n  files:\n   "
+      " - path: {0}\n"
+      "      starting_time:\n        nanoseconds_since_epoch: {1}\n      duration:\n        nanoseconds: "
+      "{2}\n"
       "      message_count: {3}\n",
       summary.file, summary.start, summary.duration, messages);
   if (jazzy) out += "  custom_data: ~\n  ros_distro: jazzy\n";

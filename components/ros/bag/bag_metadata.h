@@ -19,8 +19,8 @@ struct BagTopic {
 };
 
 struct BagSummary {
-  std::string file;  // name of the MCAP file in the directory
-  std::uint64_t start = 0;  // [ns since 1970] first message
+  std::string file;            // name of the MCAP file in the directory
+  std::uint64_t start = 0;     // [ns since 1970] first message
   std::uint64_t duration = 0;  // [ns]
   std::vector<BagTopic> topics;
 };

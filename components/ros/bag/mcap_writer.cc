@@ -27,7 +27,8 @@ enum Opcode : std::uint8_t {
 
 template <class T>
 void number(Bytes& out, T value) {
-  for (std::size_t i = 0; i < sizeof(T); ++i) out.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i)));
+  for (std::size_t i = 0; i < sizeof(T); ++i)
+    out.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i)));
 }
 
 void text(Bytes& out, const std::string& value) {
@@ -54,7 +55,8 @@ void record(Bytes& out, Opcode opcode, const Bytes& content) {
 
 Expected<std::unique_ptr<McapWriter>> McapWriter::create(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "wbx");
-  if (file == nullptr) return fail(Outcome::kInvalidRequest, "cannot make " + path + ": " + std::strerror(errno));
+  if (file == nullptr)
+    return fail(Outcome::kInvalidRequest, "cannot make " + path + ": " + std::strerror(errno));
   std::unique_ptr<McapWriter> writer(new McapWriter(file));
   Bytes start(std::begin(kMagic), std::end(kMagic));
   Bytes header;
@@ -78,8 +80,9 @@ Expected<void> McapWriter::put(const Bytes& bytes) {
   return {};
 }
 
-std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& type, const std::string& definition,
-                                      const std::string& qos, const std::string& type_hash) {
+std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& type,
+                                      const std::string& definition, const std::string& qos,
+                                      const std::string& type_hash) {
   const auto next_schema = static_cast<std::uint16_t>(schema_ids_.size() + 1);
   const auto [schema, is_new] = schema_ids_.try_emplace(type, next_schema);
   Bytes records;
@@ -152,7 +155,8 @@ Expected<void> McapWriter::flush() {
   record(out, kChunk, content);
   index.length = out.size();
   for (auto& [channel, entries] : chunk_index_) {
-    std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     index.index_offsets[channel] = offset_ + out.size();
     Bytes list;
     number<std::uint16_t>(list, channel);
@@ -165,7 +169,8 @@ Expected<void> McapWriter::flush() {
   }
   index.index_length = out.size() - index.length;
   if (auto ok = put(out); !ok) return ok;
-  if (std::fflush(file_) != 0) return fail(Outcome::kInternal, std::string("cannot write the recording: ") + std::strerror(errno));
+  if (std::fflush(file_) != 0)
+    return fail(Outcome::kInternal, std::string("cannot write the recording: ") + std::strerror(errno));
   chunks_.push_back(std::move(index));
   chunk_.clear();
   chunk_index_.clear();
@@ -237,7 +242,8 @@ Expected<void> McapWriter::close() {
   record(end, kDataEnd, content);
   if (auto ok = put(end); !ok) return ok;
   if (auto ok = put(summary(offset_)); !ok) return ok;
-  if (std::fflush(file_) != 0) return fail(Outcome::kInternal, std::string("cannot write the recording: ") + std::strerror(errno));
+  if (std::fflush(file_) != 0)
+    return fail(Outcome::kInternal, std::string("cannot write the recording: ") + std::strerror(errno));
   return {};
 }
 

@@ -13,8 +13,8 @@
 
 namespace goalnet::ros {
 
-// One thread. A chunk is written out when it reaches 1 MiB or when flush() is called; what was flushed can be read
-// even if the program dies before close().
+// One thread. A chunk is written out when it reaches 1 MiB or when flush() is called; what was flushed can be
+// read even if the program dies before close().
 class McapWriter {
  public:
   // Makes the file. kInvalidRequest if that is not possible.
@@ -22,7 +22,8 @@ class McapWriter {
   ~McapWriter();  // closes
   McapWriter(const McapWriter&) = delete;
 
-  // Returns the channel's id. `definition` is the ros2msg text with dependencies; `qos` the offered profiles as YAML.
+  // Returns the channel's id. `definition` is the ros2msg text with dependencies; `qos` the offered profiles
+  // as YAML.
   std::uint16_t add_channel(const std::string& topic, const std::string& type, const std::string& definition,
                             const std::string& qos, const std::string& type_hash);
   // `payload` with encapsulation; times in ns. kInternal when the disk is full.
@@ -49,7 +50,7 @@ class McapWriter {
   std::uint64_t offset_ = 0;
   Bytes schemas_, channels_;  // their records, repeated in the summary
   std::map<std::string, std::uint16_t> schema_ids_;
-  std::map<std::uint16_t, std::uint64_t> counts_;          // messages by channel
+  std::map<std::uint16_t, std::uint64_t> counts_;  // messages by channel
   std::map<std::uint16_t, std::uint32_t> sequences_;
   Bytes chunk_;
   std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> chunk_index_;  // time, offset

@@ -26,17 +26,22 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(Node& node, const RecorderO
   std::error_code error;
   const std::filesystem::path directory(options.directory);
   if (std::filesystem::exists(directory, error)) {
-    return fail(Outcome::kInvalidRequest, "the recording " + options.directory + " exists already; choose another name");
+    return fail(Outcome::kInvalidRequest,
+                "the recording " + options.directory + " exists already; choose another name");
   }
   std::filesystem::create_directories(directory, error);
-  if (error) return fail(Outcome::kInvalidRequest, "cannot make " + options.directory + ": " + error.message());
+  if (error)
+    return fail(Outcome::kInvalidRequest, "cannot make " + options.directory + ": " + error.message());
   auto writer = McapWriter::create((directory / kFileName).string());
   if (!writer) return tl::unexpected(writer.error());
   return std::unique_ptr<Recorder>(new Recorder(node, options, std::move(*writer)));
 }
 
 Recorder::Recorder(Node& node, const RecorderOptions& options, std::unique_ptr<McapWriter> writer)
-    : node_(node), options_(options), writer_(std::move(writer)), inbox_(std::make_shared<Inbox>(Inbox{this})) {
+    : node_(node),
+      options_(options),
+      writer_(std::move(writer)),
+      inbox_(std::make_shared<Inbox>(Inbox{this})) {
   look_for_topics();
   looker_ = Timer::create(node.loop(), wall_, std::chrono::milliseconds(100), [this] { look_for_topics(); });
   flusher_ = Timer::create(node.loop(), wall_, std::chrono::milliseconds(500), [this] {
@@ -56,9 +61,9 @@ void Recorder::look_for_topics() {
   for (const auto& [dds_name, written] : node_.context().participant()->written_topics()) {
     if (!dds_name.starts_with("rt/")) continue;
     const std::string name = dds_name.substr(2);
-    const bool wanted = options_.topics.empty()
-                            ? !hidden(name)
-                            : std::find(options_.topics.begin(), options_.topics.end(), name) != options_.topics.end();
+    const bool wanted = options_.topics.empty() ? !hidden(name)
+                                                : std::find(options_.topics.begin(), options_.topics.end(),
+                                                            name) != options_.topics.end();
     if (!wanted || channels_.contains(name)) continue;
     const idl::TypeSupport* support = idl::find_type_support(idl::ros_type_name(written.dds_type));
     if (support == nullptr || std::string_view(support->description->encoding) != "msg") continue;
@@ -77,7 +82,8 @@ void Recorder::open_channel(const std::string& name, const idl::TypeSupport& sup
   EndpointOptions endpoint = EndpointOptions::of(support, topic_to_dds(name), qos, node_.full_name());
   endpoint.support = nullptr;  // payloads as they come
   Reader::Callbacks callbacks;
-  callbacks.on_payload = [name, &loop = node_.loop(), inbox = inbox_](std::vector<std::uint8_t> payload, const SampleInfo& info) {
+  callbacks.on_payload = [name, &loop = node_.loop(), inbox = inbox_](std::vector<std::uint8_t> payload,
+                                                                      const SampleInfo& info) {
     loop.post([name, inbox, info, payload = std::move(payload)]() mutable {
       if (inbox->recorder != nullptr) inbox->recorder->on_payload(name, std::move(payload), info);
     });
@@ -90,7 +96,8 @@ void Recorder::open_channel(const std::string& name, const idl::TypeSupport& sup
   channel.reader = std::move(*reader);
 }
 
-void Recorder::on_payload(const std::string& name, std::vector<std::uint8_t> payload, const SampleInfo& info) {
+void Recorder::on_payload(const std::string& name, std::vector<std::uint8_t> payload,
+                          const SampleInfo& info) {
   if (closed_ || payload.size() < 4) return;
   Channel& channel = channels_[name];
   const auto now = static_cast<std::uint64_t>(std::max<std::int64_t>(node_.now().nanoseconds, 0));

@@ -14,13 +14,13 @@
 namespace goalnet::ros {
 
 struct RecorderOptions {
-  std::string directory;            // must not exist yet
-  std::vector<std::string> topics;  // full names; empty: every topic of a known type, as it appears
+  std::string directory;                  // must not exist yet
+  std::vector<std::string> topics;        // full names; empty: every topic of a known type, as it appears
   std::uint64_t most_bytes = 4ull << 30;  // recording ends there
 };
 
-// Runs in the node's loop, on the wall clock. What was recorded more than a second ago survives a crash. Messages
-// are stamped with the node's clock, so that a recording of a simulation plays in simulated time.
+// Runs in the node's loop, on the wall clock. What was recorded more than a second ago survives a crash.
+// Messages are stamped with the node's clock, so that a recording of a simulation plays in simulated time.
 class Recorder {
  public:
   // kInvalidRequest if the directory exists or cannot be made.

@@ -85,7 +85,8 @@ std::string join(const GraphNode& node) {
 }  // namespace
 
 GraphNode* Graph::find(const std::string& full_name) {
-  const auto found = std::find_if(nodes_.begin(), nodes_.end(), [&](const auto& node) { return join(node) == full_name; });
+  const auto found =
+      std::find_if(nodes_.begin(), nodes_.end(), [&](const auto& node) { return join(node) == full_name; });
   return found == nodes_.end() ? nullptr : &*found;
 }
 
@@ -94,7 +95,8 @@ void Graph::add_node(const std::string& node_namespace, const std::string& name)
 }
 
 void Graph::remove_node(const std::string& full_name) {
-  const auto found = std::find_if(nodes_.begin(), nodes_.end(), [&](const auto& node) { return join(node) == full_name; });
+  const auto found =
+      std::find_if(nodes_.begin(), nodes_.end(), [&](const auto& node) { return join(node) == full_name; });
   if (found != nodes_.end()) nodes_.erase(found);
 }
 
@@ -127,7 +129,9 @@ std::vector<std::uint8_t> Graph::encode(Distro distro, std::uint8_t padding) con
 }
 
 Expected<GraphMessage> decode_graph(std::span<const std::uint8_t> payload, Distro distro) {
-  const auto malformed = [] { return fail(Outcome::kInvalidRequest, "malformed ros_discovery_info; dropped"); };
+  const auto malformed = [] {
+    return fail(Outcome::kInvalidRequest, "malformed ros_discovery_info; dropped");
+  };
   if (payload.size() < 4 || payload[0] != 0 || payload[1] > 1) return malformed();
   Decoder in(payload, gid_size(distro));
   GraphMessage message;
@@ -135,7 +139,8 @@ Expected<GraphMessage> decode_graph(std::span<const std::uint8_t> payload, Distr
   if (!in.gid(message.participant) || !in.number(count) || count > kMostNodes) return malformed();
   for (std::uint32_t i = 0; i < count; ++i) {
     GraphNode node;
-    if (!in.text(node.node_namespace) || !in.text(node.name) || !in.gids(node.readers) || !in.gids(node.writers)) {
+    if (!in.text(node.node_namespace) || !in.text(node.name) || !in.gids(node.readers) ||
+        !in.gids(node.writers)) {
       return malformed();
     }
     message.nodes.push_back(std::move(node));

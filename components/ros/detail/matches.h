@@ -1,8 +1,8 @@
 // Which endpoints on the other side an endpoint is matched with; waiting for them.
 #pragma once
 
-#include <fastdds/dds/core/status/BaseStatus.hpp>
 #include <fastdds/rtps/common/InstanceHandle.h>
+#include <fastdds/dds/core/status/BaseStatus.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -21,8 +21,8 @@ constexpr std::uint32_t kEncapsulation = 4;  // [bytes]
 constexpr std::uint32_t kTypicalSize = 256;
 
 std::uint32_t encoded_size(const Outgoing& out) {
-  const std::size_t size =
-      out.support != nullptr ? out.support->serialized_size(out.message) + kEncapsulation : out.payload.size();
+  const std::size_t size = out.support != nullptr ? out.support->serialized_size(out.message) + kEncapsulation
+                                                  : out.payload.size();
   // Rounded up as rmw does: writers may pad the end to four bytes.
   return static_cast<std::uint32_t>(std::min(size + (4 - size % 4) % 4, kLargestPayload + 1));
 }
@@ -90,8 +90,8 @@ std::vector<std::uint8_t> encode(const idl::TypeSupport& support, const void* me
   }
 }
 
-const char* decode(const idl::TypeSupport& support, const idl::CdrLayout& layout, std::span<const std::uint8_t> payload,
-                   void* message) {
+const char* decode(const idl::TypeSupport& support, const idl::CdrLayout& layout,
+                   std::span<const std::uint8_t> payload, void* message) {
   if (const char* fault = layout.check(payload)) return fault;
   try {
     FastBuffer buffer(const_cast<char*>(reinterpret_cast<const char*>(payload.data())), payload.size());

@@ -1,9 +1,9 @@
 #include "components/ros/detail/participant.h"
 
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 
 #include <algorithm>
 
@@ -62,14 +62,15 @@ void set_discovery(const ParticipantSettings& settings, dds::DomainParticipantQo
   if (settings.range == Range::kSubnet && !settings.static_peers.empty()) {
     builtin.initialPeersList.push_back(udp_locator("239.255.0.1", 0));
   }
-  if (settings.range != Range::kSystemDefault) add_static_peers(settings.static_peers, builtin.initialPeersList);
+  if (settings.range != Range::kSystemDefault)
+    add_static_peers(settings.static_peers, builtin.initialPeersList);
 }
 
 // Peers without a port are tried on the ports of this many participants per host.
 constexpr std::uint32_t kPeersPerHost = 32;
 
-// UDP only, unless shared memory is asked for: a peer that is killed leaves its shared-memory port behind, and a new
-// one on that port is not heard for seconds, sometimes never (docs/design/020-udp-only.md).
+// UDP only, unless shared memory is asked for: a peer that is killed leaves its shared-memory port behind,
+// and a new one on that port is not heard for seconds, sometimes never (docs/design/020-udp-only.md).
 void set_transports(const ParticipantSettings& settings, dds::DomainParticipantQos& qos) {
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
@@ -93,15 +94,16 @@ Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSett
   qos.user_data().data_vec({user_data.begin(), user_data.end()});
   set_discovery(settings, qos);
   set_transports(settings, qos);
-  // Data goes to each peer by unicast, never to a multicast address that only some endpoint announced: Fast DDS
-  // 2.9.1 asserts on destinations that were not opened before, which Cyclone DDS readers can bring about (README).
+  // Data goes to each peer by unicast, never to a multicast address that only some endpoint announced: Fast
+  // DDS 2.9.1 asserts on destinations that were not opened before, which Cyclone DDS readers can bring about
+  // (README).
   qos.allocation().locators.max_multicast_locators = 0;
 
-  self->participant_ =
-      dds::DomainParticipantFactory::get_instance()->create_participant(settings.domain_id, qos, &self->listener_,
-                                                                          dds::StatusMask::none());
+  self->participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
+      settings.domain_id, qos, &self->listener_, dds::StatusMask::none());
   if (self->participant_ == nullptr) {
-    return fail(Outcome::kInternal, "Fast DDS cannot make a participant on domain " + std::to_string(settings.domain_id) +
+    return fail(Outcome::kInternal, "Fast DDS cannot make a participant on domain " +
+                                        std::to_string(settings.domain_id) +
                                         "; is a network interface up, and /dev/shm writable?");
   }
   self->publisher_ = self->participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
@@ -124,7 +126,8 @@ Expected<dds::Topic*> Participant::acquire_topic(const std::string& name, const 
   SharedTopic& shared = topics_[name];
   if (shared.topic != nullptr) {
     if (shared.dds_type != dds_type) {
-      return fail(Outcome::kInvalidRequest, "topic " + name + " has the type " + shared.dds_type + " already, not " + dds_type);
+      return fail(Outcome::kInvalidRequest,
+                  "topic " + name + " has the type " + shared.dds_type + " already, not " + dds_type);
     }
     ++shared.users;
     return shared.topic;
@@ -189,14 +192,16 @@ void Participant::remove_endpoint(const Gid& gid) {
   if (graph_->remove(gid)) publish_graph();
 }
 
-void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) {
+void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipant*,
+                                                            rtps::WriterDiscoveryInfo&& info) {
   if (info.status != rtps::WriterDiscoveryInfo::DISCOVERED_WRITER) return;
   participant.note_writer(info.info.topicName().to_string(), info.info.typeName().to_string(),
                           info.info.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS,
                           info.info.m_qos.m_durability.kind != dds::VOLATILE_DURABILITY_QOS);
 }
 
-void Participant::note_writer(const std::string& topic, const std::string& dds_type, bool reliable, bool transient_local) {
+void Participant::note_writer(const std::string& topic, const std::string& dds_type, bool reliable,
+                              bool transient_local) {
   constexpr std::size_t kMostTopics = 10'000;  // what a hostile peer can make us remember
   std::lock_guard lock(written_mutex_);
   if (written_.size() >= kMostTopics && !written_.contains(topic)) return;

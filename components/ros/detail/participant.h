@@ -54,7 +54,8 @@ class Participant : public std::enable_shared_from_this<Participant> {
   eprosima::fastdds::dds::Subscriber& subscriber() { return *subscriber_; }
 
   // A topic with its type registered; give it back with release_topic(). Fails if the topic has another type.
-  Expected<eprosima::fastdds::dds::Topic*> acquire_topic(const std::string& name, const std::string& dds_type);
+  Expected<eprosima::fastdds::dds::Topic*> acquire_topic(const std::string& name,
+                                                         const std::string& dds_type);
   void release_topic(const std::string& name);
 
   // The ROS graph. Each call publishes ros_discovery_info again.
@@ -66,7 +67,8 @@ class Participant : public std::enable_shared_from_this<Participant> {
 
   // By DDS name; topics stay listed when their writers leave.
   std::map<std::string, WrittenTopic> written_topics() const;
-  void note_writer(const std::string& topic, const std::string& dds_type, bool reliable, bool transient_local);
+  void note_writer(const std::string& topic, const std::string& dds_type, bool reliable,
+                   bool transient_local);
 
  private:
   // Hears of writers elsewhere.

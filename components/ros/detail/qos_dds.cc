@@ -7,14 +7,16 @@ namespace dds = eprosima::fastdds::dds;
 
 eprosima::fastrtps::Duration_t to_duration(std::chrono::nanoseconds span) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(span);
-  return eprosima::fastrtps::Duration_t(static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((span - seconds).count()));
+  return eprosima::fastrtps::Duration_t(static_cast<std::int32_t>(seconds.count()),
+                                        static_cast<std::uint32_t>((span - seconds).count()));
 }
 
 // What writers and readers have in common.
 template <class DdsQos>
 void fill(DdsQos& out, const Qos& qos, const std::string& user_data) {
   out.reliability().kind = qos.reliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
-  out.durability().kind = qos.transient_local ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
+  out.durability().kind =
+      qos.transient_local ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
   out.history().kind = qos.keep_all ? dds::KEEP_ALL_HISTORY_QOS : dds::KEEP_LAST_HISTORY_QOS;
   out.history().depth = static_cast<std::int32_t>(std::max<std::uint32_t>(qos.depth, 1));
   // Bounds what a history may hold; the defaults (5000) are below the depth of no profile in use.
@@ -52,8 +54,8 @@ dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data) {
   dds::DataWriterQos out;
   fill(out, qos, user_data);
   out.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
-  // A reader that was not ready for the first message asks again at the next heartbeat: not after the default of
-  // three seconds. Heartbeats are only sent while something is unacknowledged.
+  // A reader that was not ready for the first message asks again at the next heartbeat: not after the default
+  // of three seconds. Heartbeats are only sent while something is unacknowledged.
   out.reliable_writer_qos().times.heartbeatPeriod = eprosima::fastrtps::Duration_t(0, 100'000'000);
   if (qos.lifespan.count() > 0) out.lifespan().duration = to_duration(qos.lifespan);
   return out;

@@ -7,7 +7,8 @@ namespace goalnet::ros {
 Expected<Distro> parse_distro(std::string_view name) {
   if (name == "humble") return Distro::kHumble;
   if (name == "jazzy") return Distro::kJazzy;
-  return fail(Outcome::kInvalidRequest, "unknown ROS distribution '" + std::string(name) + "'; known: humble, jazzy");
+  return fail(Outcome::kInvalidRequest,
+              "unknown ROS distribution '" + std::string(name) + "'; known: humble, jazzy");
 }
 
 std::string_view to_string(Distro distro) { return distro == Distro::kHumble ? "humble" : "jazzy"; }
@@ -26,7 +27,8 @@ Expected<int> parse_domain(const std::string& text) {
   char* end = nullptr;
   const long value = std::strtol(text.c_str(), &end, 10);
   if (text.empty() || *end != '\0' || value < 0 || value > kHighestDomain) {
-    return fail(Outcome::kInvalidRequest, "ROS_DOMAIN_ID is '" + text + "'; it must be a number from 0 to 232");
+    return fail(Outcome::kInvalidRequest,
+                "ROS_DOMAIN_ID is '" + text + "'; it must be a number from 0 to 232");
   }
   return static_cast<int>(value);
 }
@@ -72,7 +74,8 @@ Expected<ParticipantSettings> read_settings(const ContextOptions& options) {
   if (localhost_only == "1") {
     settings.range = ParticipantSettings::Range::kLocalhost;
   } else if (!localhost_only.empty() && localhost_only != "0") {
-    return fail(Outcome::kInvalidRequest, "ROS_LOCALHOST_ONLY is '" + localhost_only + "'; it must be 0 or 1");
+    return fail(Outcome::kInvalidRequest,
+                "ROS_LOCALHOST_ONLY is '" + localhost_only + "'; it must be 0 or 1");
   }
   settings.shared_memory = environment("GOALNET_SHARED_MEMORY") == "1";
   settings.static_peers = environment("ROS_STATIC_PEERS");

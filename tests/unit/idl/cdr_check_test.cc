@@ -17,14 +17,18 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-bool utf8(const std::string& text) { return is_utf8({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
+bool utf8(const std::string& text) {
+  return is_utf8({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
 
 TEST(Utf8, WellFormedOnly) {
-  for (const char* good : {"", "a", "plain text longer than eight bytes", "Straße", "日本語のテキスト", "🙂", "\xf4\x8f\xbf\xbf", "\xed\x9f\xbf"}) {
+  for (const char* good : {"", "a", "plain text longer than eight bytes", "Straße", "日本語のテキスト",
+                           "🙂", "\xf4\x8f\xbf\xbf", "\xed\x9f\xbf"}) {
     EXPECT_TRUE(utf8(good)) << good;
   }
-  for (const char* bad : {"\x80", "\xc0\x80", "\xc1\xbf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf0\x80\x80\x80", "\xf4\x90\x80\x80",
-                          "\xf5\x80\x80\x80", "\xff", "12345678\xc3", "\xe2\x82", "abc\xc3\x28"}) {
+  for (const char* bad :
+       {"\x80", "\xc0\x80", "\xc1\xbf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf0\x80\x80\x80",
+        "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "12345678\xc3", "\xe2\x82", "abc\xc3\x28"}) {
     EXPECT_FALSE(utf8(bad)) << bad;
   }
 }
@@ -100,7 +104,8 @@ TEST(CdrCheck, BoundsAndBooleans) {
   EXPECT_NE(layout.check(payload), nullptr);
 }
 
-// Random damage to real payloads of every type: the decoder agrees with the check and never throws or crashes.
+// Random damage to real payloads of every type: the decoder agrees with the check and never throws or
+// crashes.
 TEST(CdrCheck, RandomDamageNeverReachesTheDecoder) {
   std::mt19937 random(42);
   int accepted = 0;
@@ -115,7 +120,8 @@ TEST(CdrCheck, RandomDamageNeverReachesTheDecoder) {
     for (int round = 0; round < 300; ++round) {
       Bytes payload = original;
       for (int hits = 1 + static_cast<int>(random() % 6); hits > 0; --hits) {
-        payload[4 + random() % (payload.size() - 4)] = static_cast<std::uint8_t>(random() % 4 == 0 ? random() : random() % 5);
+        payload[4 + random() % (payload.size() - 4)] =
+            static_cast<std::uint8_t>(random() % 4 == 0 ? random() : random() % 5);
       }
       payload.resize(4 + random() % (payload.size() - 3));
       const std::shared_ptr<void> target(support->create(), support->destroy);

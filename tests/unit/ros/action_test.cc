@@ -39,7 +39,8 @@ TEST(ActionGoals, CancelFollowsTheFourRules) {
   EXPECT_THAT(named(goals.select_for_cancel({}, Time(0))), ElementsAre(1, 3, 4, 5)) << "all";
   EXPECT_THAT(named(goals.select_for_cancel({}, Time(300))), ElementsAre(1, 3)) << "accepted at or before";
   EXPECT_THAT(named(goals.select_for_cancel(id(4), Time(0))), ElementsAre(4)) << "that one";
-  EXPECT_THAT(named(goals.select_for_cancel(id(4), Time(300))), ElementsAre(1, 3, 4)) << "that one and those before";
+  EXPECT_THAT(named(goals.select_for_cancel(id(4), Time(300))), ElementsAre(1, 3, 4))
+      << "that one and those before";
   EXPECT_EQ(goals.select_for_cancel(id(9), Time(0)).code, CancelCode::kUnknownGoal);
   EXPECT_EQ(goals.select_for_cancel(id(2), Time(0)).code, CancelCode::kTerminated);
   EXPECT_EQ(goals.select_for_cancel({}, Time(50)).code, CancelCode::kNone);
@@ -75,9 +76,10 @@ TEST(ActionGoals, CapacityAndExpiry) {
 struct Worker {
   Worker(Node& node, const std::string& name)
       : server(node, name,
-               {.on_goal = [](const GoalId&, const Fibonacci::Goal& goal) {
-                  return goal.order() < 0 ? GoalResponse::kReject : GoalResponse::kExecute;
-                },
+               {.on_goal =
+                    [](const GoalId&, const Fibonacci::Goal& goal) {
+                      return goal.order() < 0 ? GoalResponse::kReject : GoalResponse::kExecute;
+                    },
                 .on_accepted = [this](auto goal) { goals.push_back(std::move(goal)); },
                 .on_cancel = [](auto&) { return true; }}),
         timer(node.create_timer(1ms, [this] { work(); })) {}
@@ -134,13 +136,16 @@ TEST(Action, FeedbackResultRejectionAndCancel) {
   EXPECT_GE(feedbacks, 4u);
 
   std::optional<bool> accepted;
-  client.send(order(-1), {.on_response = [&](bool yes) { accepted = yes; }, .on_feedback = {}, .on_result = {}});
+  client.send(order(-1),
+              {.on_response = [&](bool yes) { accepted = yes; }, .on_feedback = {}, .on_result = {}});
   ASSERT_TRUE(loop.run_for(2s, [&] { return accepted.has_value(); }));
   EXPECT_FALSE(*accepted);
 
   done.reset();
   std::optional<CancelCode> code;
-  const GoalId goal = client.send(order(1'000'000), {.on_response = {}, .on_feedback = {}, .on_result = [&](auto result) { done = *result; }});
+  const GoalId goal =
+      client.send(order(1'000'000),
+                  {.on_response = {}, .on_feedback = {}, .on_result = [&](auto result) { done = *result; }});
   loop.run_for(20ms);
   client.cancel(goal, [&](Expected<CancelCode> answer) { code = *answer; });
   ASSERT_TRUE(loop.run_for(2s, [&] { return done.has_value() && code.has_value(); }));
@@ -166,12 +171,14 @@ TEST(Action, TwoHundredGoalsWithRandomCancels) {
   int duplicates = 0;
   for (int i = 0; i < 200; ++i) {
     auto count = std::make_shared<int>(0);
-    const GoalId goal = client.send(order(1 + static_cast<int>(random() % 30)), {.on_response = {}, .on_feedback = {}, .on_result = [&, count](auto result) {
-                                      ASSERT_TRUE(result);
-                                      ++results;
-                                      if (++*count > 1) ++duplicates;
-                                      ++ends[result->first];
-                                    }});
+    const GoalId goal =
+        client.send(order(1 + static_cast<int>(random() % 30)),
+                    {.on_response = {}, .on_feedback = {}, .on_result = [&, count](auto result) {
+                       ASSERT_TRUE(result);
+                       ++results;
+                       if (++*count > 1) ++duplicates;
+                       ++ends[result->first];
+                     }});
     loop.run_for(std::chrono::microseconds(random() % 3000));
     if (random() % 2 == 0) client.cancel(goal);
   }
@@ -192,7 +199,8 @@ TEST(Action, ADroppedHandleAbortsItsGoal) {
                                   .on_cancel = {}});
   ActionClient<Fibonacci> client(node, "fib");
   std::optional<GoalState> end;
-  client.send(order(1), {.on_response = {}, .on_feedback = {}, .on_result = [&](auto result) { end = result->first; }});
+  client.send(order(1),
+              {.on_response = {}, .on_feedback = {}, .on_result = [&](auto result) { end = result->first; }});
   ASSERT_TRUE(loop.run_for(1s, [&] { return end.has_value(); }));
   EXPECT_EQ(*end, GoalState::kAborted);
 }

@@ -49,9 +49,13 @@ TEST(Names, NodePatterns) {
 }
 
 TEST(Arguments, TakesWhatRclTakes) {
-  const auto parsed = parse_arguments({"fill the mug", "--ros-args", "-r", "__node:=me", "-r", "__ns:=/robot_1", "-r", "a:=/b",
-                                       "-p", "gain:=2.5", "-p", "other:names:=[a, b]", "--log-level", "debug",
-                                       "--log-level", "me:=error", "-e", "/enclave", "--", "--seed", "3"});
+  const auto parsed = parse_arguments({"fill the mug", "--ros-args", "-r",
+                                       "__node:=me",   "-r",         "__ns:=/robot_1",
+                                       "-r",           "a:=/b",      "-p",
+                                       "gain:=2.5",    "-p",         "other:names:=[a, b]",
+                                       "--log-level",  "debug",      "--log-level",
+                                       "me:=error",    "-e",         "/enclave",
+                                       "--",           "--seed",     "3"});
   ASSERT_TRUE(parsed) << parsed.error().message;
   EXPECT_THAT(parsed->remaining, testing::ElementsAre("fill the mug", "--seed", "3"));
   EXPECT_EQ(parsed->node_name, "me");
@@ -127,7 +131,8 @@ TEST(ParameterFile, MalformedFilesNameFileAndLine) {
       {"planner:\n  gain: 3\n", "p.yaml:2: 'gain' is neither a node nor ros__parameters"},
       {"ros__parameters: {a: 1}", "p.yaml:1: ros__parameters must stand below"},
       {"planner:\n  ros__parameters: 3\n", "p.yaml:2: ros__parameters must hold"},
-      {"planner:\n  ros__parameters:\n    a: [1, x]\n", "p.yaml:3: the elements of an array must have one type"},
+      {"planner:\n  ros__parameters:\n    a: [1, x]\n",
+       "p.yaml:3: the elements of an array must have one type"},
       {"planner:\n  ros__parameters:\n    a: [[1], [2]]\n", "p.yaml:3: an array may only hold plain values"},
       {"planner:\n  ros__parameters:\n    a:\n", "p.yaml:3: parameter 'a' has no value"},
       {"planner:\n  ros__parameters:\n    [1, 2]: 3\n", "must be plain text"},

@@ -1,4 +1,5 @@
-// Recordings: what is in the directory, that nothing is lost, and that others can read it (npm, if installed).
+// Recordings: what is in the directory, that nothing is lost, and that others can read it (npm, if
+// installed).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
@@ -27,7 +28,8 @@ std::string contents(const std::filesystem::path& path) {
 }
 
 struct BagTest : testing::Test {
-  std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("bag_test_" + std::to_string(getpid()));
+  std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("bag_test_" + std::to_string(getpid()));
   void SetUp() override { std::filesystem::remove_all(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
 
@@ -38,7 +40,8 @@ struct BagTest : testing::Test {
     Node node(*context, loop, plain("robot"));
     auto worlds = node.advertise<goalnet_msgs::msg::WorldState>("/world_state", Qos::latched());
     auto texts = node.advertise<std_msgs::msg::String>("/instruction", Qos::standard());
-    auto recorder = Recorder::create(node, {.directory = folder.string(), .topics = {"/world_state", "/instruction"}});
+    auto recorder =
+        Recorder::create(node, {.directory = folder.string(), .topics = {"/world_state", "/instruction"}});
     ASSERT_TRUE(recorder) << recorder.error().message;
     goalnet_msgs::msg::WorldState world;
     world.objects({"Mug_1", "Sink"});
@@ -53,7 +56,7 @@ struct BagTest : testing::Test {
       }
     }
     if (crash) {
-      loop.run_for(700ms);  // the flush of the last half second
+      loop.run_for(700ms);                                          // the flush of the last half second
       std::filesystem::copy(folder, folder.string() + "_crashed");  // as a killed process leaves it
     }
     ASSERT_TRUE((*recorder)->close());
@@ -66,7 +69,8 @@ TEST_F(BagTest, MetadataOfBothDistributions) {
   for (const Distro distro : {Distro::kJazzy, Distro::kHumble}) {
     std::filesystem::remove_all(folder);
     record(distro);
-    const YAML::Node info = YAML::LoadFile((folder / "metadata.yaml").string())["rosbag2_bagfile_information"];
+    const YAML::Node info =
+        YAML::LoadFile((folder / "metadata.yaml").string())["rosbag2_bagfile_information"];
     EXPECT_EQ(info["version"].as<int>(), distro == Distro::kJazzy ? 9 : 5);
     EXPECT_EQ(info["storage_identifier"].as<std::string>(), "mcap");
     EXPECT_EQ(info["message_count"].as<int>(), 300);
@@ -95,15 +99,18 @@ TEST_F(BagTest, DefinitionsCarryTheirDependencies) {
   EXPECT_EQ(file.substr(0, 8), file.substr(file.size() - 8)) << "magic at both ends";
 }
 
-// tests/interoperability/read_bag.mjs decodes every message with @mcap/core and @foxglove/rosmsg2-serialization.
+// tests/interoperability/read_bag.mjs decodes every message with @mcap/core and
+// @foxglove/rosmsg2-serialization.
 TEST_F(BagTest, ReadersOfOthersDecodeEveryMessage) {
   const char* modules = std::getenv("GOALNET_NODE_MODULES");
-  if (modules == nullptr) GTEST_SKIP() << "set GOALNET_NODE_MODULES to a folder with @mcap/core (tests/interoperability/README.md)";
+  if (modules == nullptr)
+    GTEST_SKIP() << "set GOALNET_NODE_MODULES to a folder with @mcap/core (tests/interoperability/README.md)";
   record(Distro::kJazzy, true);
   for (const std::string suffix : {"", "_crashed"}) {
     const std::string command = "cd '" + std::string(modules) + "/..' && cp '" + GOALNET_SOURCE_DIR +
-                                "/tests/interoperability/read_bag.mjs' read_bag.mjs && node read_bag.mjs '" + folder.string() +
-                                suffix + "/recording_0.mcap' > '" + folder.string() + "/out.txt' 2>&1";
+                                "/tests/interoperability/read_bag.mjs' read_bag.mjs && node read_bag.mjs '" +
+                                folder.string() + suffix + "/recording_0.mcap' > '" + folder.string() +
+                                "/out.txt' 2>&1";
     const int code = std::system(command.c_str());
     const std::string out = contents(folder / "out.txt");
     EXPECT_EQ(code, 0) << out;

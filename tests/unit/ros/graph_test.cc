@@ -1,8 +1,8 @@
 // What other participants see of us: nodes, endpoints, type hashes, names that come and go; the environment.
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 
 #include <cstdlib>
 #include <map>
@@ -32,8 +32,8 @@ struct Watcher : dds::DomainParticipantListener {
   dds::DomainParticipant* participant = nullptr;
 
   explicit Watcher(int domain) {
-    participant = dds::DomainParticipantFactory::get_instance()->create_participant(domain, dds::PARTICIPANT_QOS_DEFAULT, this,
-                                                                                    dds::StatusMask::none());
+    participant = dds::DomainParticipantFactory::get_instance()->create_participant(
+        domain, dds::PARTICIPANT_QOS_DEFAULT, this, dds::StatusMask::none());
   }
   ~Watcher() override { dds::DomainParticipantFactory::get_instance()->delete_participant(participant); }
 
@@ -77,9 +77,13 @@ TEST(Graph, JazzyEndpointsCarryTheirTypeHash) {
   Node node(*context, loop, plain("robot"));
   auto out = node.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
   Server<std_srvs::srv::Trigger> server(node, "/do_it", [](const auto&, auto&) {});
-  ASSERT_TRUE(watcher.wait_for([&] { return watcher.user_data.contains("rt/chatter") && watcher.user_data.contains("rr/do_itReply"); }));
+  ASSERT_TRUE(watcher.wait_for([&] {
+    return watcher.user_data.contains("rt/chatter") && watcher.user_data.contains("rr/do_itReply");
+  }));
   ASSERT_TRUE(watcher.wait_for([&] { return watcher.user_data.contains("rq/do_itRequest"); }));
-  const auto hash = [](const char* type) { return "typehash=" + std::string(idl::find_type(type)->hash) + ";"; };
+  const auto hash = [](const char* type) {
+    return "typehash=" + std::string(idl::find_type(type)->hash) + ";";
+  };
   EXPECT_EQ(watcher.user_data["rt/chatter"], hash("std_msgs/msg/String"));
   EXPECT_EQ(watcher.user_data["rq/do_itRequest"], hash("std_srvs/srv/Trigger_Request"));
   EXPECT_EQ(watcher.user_data["rr/do_itReply"], hash("std_srvs/srv/Trigger_Response"));
@@ -145,14 +149,18 @@ TEST(Graph, NodesAndEndpointsComeAndGo) {
     auto out = node->advertise<std_msgs::msg::String>("/chatter", Qos::standard());
     const Gid gid = out->gid();
     const auto lists = [&](const detail::GraphMessage& message) {
-      return message.nodes.size() == 1 && message.nodes[0].name == "robot" && message.nodes[0].node_namespace == "/kitchen" &&
+      return message.nodes.size() == 1 && message.nodes[0].name == "robot" &&
+             message.nodes[0].node_namespace == "/kitchen" &&
              std::count(message.nodes[0].writers.begin(), message.nodes[0].writers.end(), gid) == 1;
     };
     EXPECT_TRUE(reader.wait_for(lists)) << to_string(distro);
     out.reset();
-    EXPECT_TRUE(reader.wait_for([&](const auto& message) { return !message.nodes.empty() && !lists(message); })) << to_string(distro);
+    EXPECT_TRUE(reader.wait_for([&](const auto& message) {
+      return !message.nodes.empty() && !lists(message);
+    })) << to_string(distro);
     node.reset();
-    EXPECT_TRUE(reader.wait_for([](const auto& message) { return message.nodes.empty(); })) << to_string(distro);
+    EXPECT_TRUE(reader.wait_for([](const auto& message) { return message.nodes.empty(); }))
+        << to_string(distro);
   }
 }
 
@@ -196,8 +204,10 @@ TEST(Settings, FromTheEnvironment) {
     EXPECT_EQ(detail::read_settings({})->range, Range::kLocalhost) << "the older variable overrides";
   }
   EXPECT_EQ(detail::read_settings({})->distro, Distro::kJazzy);
-  const std::pair<const char*, const char*> bad[] = {{"ROS_DOMAIN_ID", "kitchen"}, {"ROS_DOMAIN_ID", "300"},
-                                                     {"GOALNET_ROS_DISTRO", "foxy"}, {"ROS_LOCALHOST_ONLY", "yes"},
+  const std::pair<const char*, const char*> bad[] = {{"ROS_DOMAIN_ID", "kitchen"},
+                                                     {"ROS_DOMAIN_ID", "300"},
+                                                     {"GOALNET_ROS_DISTRO", "foxy"},
+                                                     {"ROS_LOCALHOST_ONLY", "yes"},
                                                      {"ROS_AUTOMATIC_DISCOVERY_RANGE", "NEAR"}};
   for (const auto& [name, value] : bad) {
     Environment variable(name, value);

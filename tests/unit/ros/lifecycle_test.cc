@@ -44,7 +44,8 @@ TEST_F(LifecycleTest, EveryStateAnswersEveryTransition) {
   }
   EXPECT_EQ(find_transition(State::kActive, 0, "shutdown")->id, 7) << "the label wins";
   EXPECT_FALSE(find_transition(State::kActive, 4, "nonsense"));
-  for (const State state : {State::kConfiguring, State::kCleaningUp, State::kShuttingDown, State::kActivating, State::kDeactivating}) {
+  for (const State state : {State::kConfiguring, State::kCleaningUp, State::kShuttingDown, State::kActivating,
+                            State::kDeactivating}) {
     EXPECT_EQ(after(state, Result::kError), State::kErrorProcessing) << label(state);
   }
   EXPECT_EQ(after(State::kDeactivating, Result::kFailure), State::kActive);
@@ -54,19 +55,32 @@ TEST_F(LifecycleTest, EveryStateAnswersEveryTransition) {
 
 TEST_F(LifecycleTest, OverServicesWithEvents) {
   std::vector<std::string> work;
-  Lifecycle lifecycle(node, {.on_configure = [&] { work.push_back("configure"); return Result::kSuccess; },
-                             .on_activate = [&] { work.push_back("activate"); return Result::kSuccess; },
+  Lifecycle lifecycle(node, {.on_configure =
+                                 [&] {
+                                   work.push_back("configure");
+                                   return Result::kSuccess;
+                                 },
+                             .on_activate =
+                                 [&] {
+                                   work.push_back("activate");
+                                   return Result::kSuccess;
+                                 },
                              .on_deactivate = {},
                              .on_cleanup = {},
-                             .on_shutdown = [&](State from) { work.push_back("shutdown from " + std::string(label(from))); return Result::kSuccess; },
+                             .on_shutdown =
+                                 [&](State from) {
+                                   work.push_back("shutdown from " + std::string(label(from)));
+                                   return Result::kSuccess;
+                                 },
                              .on_error = {}});
   Node tool(*context, loop, plain("tool"));
   std::vector<std::string> events;
-  auto in = tool.subscribe<lifecycle_msgs::msg::TransitionEvent>("/planner/transition_event", Qos::standard(), [&](const auto& m) {
-    events.push_back(m.start_state().label() + ">" + m.goal_state().label());
-    EXPECT_EQ(m.timestamp(), 0u);
-    EXPECT_EQ(m.transition().id(), 0);
-  });
+  auto in = tool.subscribe<lifecycle_msgs::msg::TransitionEvent>(
+      "/planner/transition_event", Qos::standard(), [&](const auto& m) {
+        events.push_back(m.start_state().label() + ">" + m.goal_state().label());
+        EXPECT_EQ(m.timestamp(), 0u);
+        EXPECT_EQ(m.transition().id(), 0);
+      });
   Client<lifecycle_msgs::srv::ChangeState> change(tool, "/planner/change_state");
   Client<lifecycle_msgs::srv::GetState> get(tool, "/planner/get_state");
   Client<lifecycle_msgs::srv::GetAvailableStates> states(tool, "/planner/get_available_states");
@@ -108,7 +122,10 @@ TEST_F(LifecycleTest, FailuresAndErrors) {
                                if (configure == Result::kError) throw std::runtime_error("no such model");
                                return configure;
                              },
-                             .on_activate = {}, .on_deactivate = {}, .on_cleanup = {}, .on_shutdown = {},
+                             .on_activate = {},
+                             .on_deactivate = {},
+                             .on_cleanup = {},
+                             .on_shutdown = {},
                              .on_error = [&](State) { return recover; }});
   EXPECT_FALSE(lifecycle.configure());
   EXPECT_EQ(lifecycle.state(), State::kUnconfigured);
@@ -123,7 +140,8 @@ TEST_F(LifecycleTest, FailuresAndErrors) {
 TEST_F(LifecycleTest, Diagnostics) {
   Diagnostics diagnostics(node);
   double lateness = 10;
-  diagnostics.add("control loop", [&](DiagnosticReport& report) { report.threshold("lateness", lateness, 100, 1000, "us"); });
+  diagnostics.add("control loop",
+                  [&](DiagnosticReport& report) { report.threshold("lateness", lateness, 100, 1000, "us"); });
   std::vector<diagnostic_msgs::msg::DiagnosticStatus> seen;
   auto in = node.subscribe<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics", Qos::standard(),
                                                                   [&](const auto& m) { seen = m.status(); });

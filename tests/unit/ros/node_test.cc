@@ -40,7 +40,8 @@ struct NodeTest : testing::Test {
 };
 
 TEST_F(NodeTest, NamesAndRemaps) {
-  Node node(*context, loop, with({"-r", "__ns:=/robot_1", "-r", "__node:=brain", "-r", "world_state:=/shared/world"}));
+  Node node(*context, loop,
+            with({"-r", "__ns:=/robot_1", "-r", "__node:=brain", "-r", "world_state:=/shared/world"}));
   EXPECT_EQ(node.full_name(), "/robot_1/brain");
   EXPECT_EQ(node.resolve("world_state"), "/shared/world");
   EXPECT_EQ(node.resolve("plan"), "/robot_1/plan");
@@ -51,12 +52,15 @@ TEST_F(NodeTest, NamesAndRemaps) {
 }
 
 TEST_F(NodeTest, ParametersTakeOverridesAndAreChecked) {
-  Node node(*context, loop, with({"-p", "gain:=3", "-p", "planner:depth:=7", "-p", "other:depth:=9", "-p", "speed:=9.5", "-p", "name:=12", "-p", "lost:=1"}));
+  Node node(*context, loop,
+            with({"-p", "gain:=3", "-p", "planner:depth:=7", "-p", "other:depth:=9", "-p", "speed:=9.5", "-p",
+                  "name:=12", "-p", "lost:=1"}));
   EXPECT_EQ(*node.declare_parameter("gain", 1.0), 3.0) << "an integer where a number is meant";
   EXPECT_EQ(*node.declare_parameter("depth", 1), 7);
   EXPECT_EQ(*node.declare_parameter("label", "x"), "x");
   EXPECT_EQ(*node.declare_parameter("names", std::vector<std::string>{"a"}), std::vector<std::string>{"a"});
-  const auto too_fast = node.declare_parameter("speed", 1.0, {.description = "m/s", .range = ParameterRange{0, 2}});
+  const auto too_fast =
+      node.declare_parameter("speed", 1.0, {.description = "m/s", .range = ParameterRange{0, 2}});
   ASSERT_FALSE(too_fast);
   EXPECT_THAT(too_fast.error().message, HasSubstr("-p: parameter 'speed': 9.5 is not within 0 .. 2"));
   const auto wrong_type = node.declare_parameter("name", "text");
@@ -126,7 +130,8 @@ TEST_F(NodeTest, LogsReachRosout) {
   Node listener(*context, loop, plain("listener"));
   std::vector<rcl_interfaces::msg::Log> seen;
   node.log().error("before anyone listens: {}", 1);
-  auto in = listener.subscribe<rcl_interfaces::msg::Log>("/rosout", Qos::rosout(), [&](const auto& m) { seen.push_back(m); });
+  auto in = listener.subscribe<rcl_interfaces::msg::Log>("/rosout", Qos::rosout(),
+                                                         [&](const auto& m) { seen.push_back(m); });
   node.log().info("too quiet");
   node.log().warn("{} and {}", "this", 2);
   loop.run_for(2s, [&] { return seen.size() >= 2; });
@@ -155,22 +160,23 @@ TEST_F(NodeTest, ParameterServices) {
   node.declare_parameter("depth", 4);
   node.parameters().add_validator([](const std::vector<Parameter>& values) -> Expected<void> {
     for (const auto& one : values) {
-      if (one.name == "limits.speed" && std::get<double>(one.value) == 1.5) return fail(Outcome::kInvalidRequest, "not that one");
+      if (one.name == "limits.speed" && std::get<double>(one.value) == 1.5)
+        return fail(Outcome::kInvalidRequest, "not that one");
     }
     return {};
   });
   std::vector<rcl_interfaces::msg::ParameterEvent> events;
   auto in = tool.subscribe<rcl_interfaces::msg::ParameterEvent>("/parameter_events", Qos::parameters(),
-                                                               [&](const auto& m) { events.push_back(m); });
+                                                                [&](const auto& m) { events.push_back(m); });
   Client<srv::SetParameters> set(tool, "/planner/set_parameters");
   Client<srv::SetParametersAtomically> set_all(tool, "/planner/set_parameters_atomically");
   Client<srv::ListParameters> list(tool, "/planner/list_parameters");
   Client<srv::DescribeParameters> describe(tool, "/planner/describe_parameters");
 
   srv::SetParameters::Request request;
-  request.parameters({parameter("limits.speed", 2.0), parameter("limits.speed", 0.7), parameter("limits.speed", 3.0),
-                      parameter("limits.speed", 1.5), parameter("limits.force", 1.0), parameter("depth", 1.0),
-                      parameter("unknown", 1.0)});
+  request.parameters({parameter("limits.speed", 2.0), parameter("limits.speed", 0.7),
+                      parameter("limits.speed", 3.0), parameter("limits.speed", 1.5),
+                      parameter("limits.force", 1.0), parameter("depth", 1.0), parameter("unknown", 1.0)});
   const auto results = set.call_and_run(request, 2s);
   ASSERT_TRUE(results);
   std::vector<bool> successes;
@@ -180,7 +186,8 @@ TEST_F(NodeTest, ParameterServices) {
     reasons += one.reason() + "|";
   }
   EXPECT_THAT(successes, ElementsAre(true, false, false, false, false, false, false)) << reasons;
-  for (const char* text : {"steps of 0.5", "not within 0 .. 2", "not that one", "read-only", "of type integer", "not declared"}) {
+  for (const char* text : {"steps of 0.5", "not within 0 .. 2", "not that one", "read-only",
+                           "of type integer", "not declared"}) {
     EXPECT_THAT(reasons, HasSubstr(text));
   }
   EXPECT_EQ(node.parameter<double>("limits.speed"), 2.0);

@@ -32,8 +32,10 @@ TEST(PubSub, OneProcessDeliversSynchronouslyAndInOrderOfPublication) {
   std::vector<int> seen;
   auto a = writer.advertise<Int32>("/a", Qos::standard());
   auto b = writer.advertise<Int32>("/b", Qos::standard());
-  auto on_a = reader.subscribe<Int32>("/a", Qos::standard(), [&](const Int32& m) { seen.push_back(m.data()); });
-  auto on_b = reader.subscribe<Int32>("/b", Qos::standard(), [&](const Int32& m) { seen.push_back(-m.data()); });
+  auto on_a =
+      reader.subscribe<Int32>("/a", Qos::standard(), [&](const Int32& m) { seen.push_back(m.data()); });
+  auto on_b =
+      reader.subscribe<Int32>("/b", Qos::standard(), [&](const Int32& m) { seen.push_back(-m.data()); });
   ASSERT_EQ(a->subscriber_count(), 1u) << "endpoints of one participant match at once";
   ASSERT_EQ(b->subscriber_count(), 1u);
 
@@ -56,7 +58,8 @@ TEST(PubSub, QueueKeepsTheNewestOfABurst) {
   Node node(*context, loop, plain("node"));
   std::vector<int> seen;
   auto out = node.advertise<Int32>("burst", Qos::standard().keep_last(1000));
-  auto in = node.subscribe<Int32>("burst", Qos::standard().keep_last(3), [&](const Int32& m) { seen.push_back(m.data()); });
+  auto in = node.subscribe<Int32>("burst", Qos::standard().keep_last(3),
+                                  [&](const Int32& m) { seen.push_back(m.data()); });
   for (int i = 0; i < 100; ++i) out->publish(number(i));
   while (loop.run_pending()) {
   }
@@ -72,7 +75,8 @@ TEST(PubSub, TwoParticipantsMatchQuickly) {
   auto second = make_context(kPubSubDomain);
   Node reader(*second, loop, plain("reader"));
   std::string seen;
-  auto in = reader.subscribe<String>("/chatter", Qos::sensor_data(), [&](const String& m) { seen = m.data(); });
+  auto in =
+      reader.subscribe<String>("/chatter", Qos::sensor_data(), [&](const String& m) { seen = m.data(); });
   ASSERT_TRUE(out->wait_for_subscribers(1, 2s));
   ASSERT_TRUE(in->wait_for_publishers(1, 2s));
   EXPECT_LT(std::chrono::steady_clock::now() - start, 1s);
@@ -93,7 +97,8 @@ TEST(PubSub, LatecomersGetLatchedMessages) {
   auto other = make_context(kPubSubDomain);
   Node late(*other, loop, plain("late"));
   std::vector<int> seen;
-  auto in = late.subscribe<Int32>("/latched", Qos::latched(), [&](const Int32& m) { seen.push_back(m.data()); });
+  auto in =
+      late.subscribe<Int32>("/latched", Qos::latched(), [&](const Int32& m) { seen.push_back(m.data()); });
   EXPECT_TRUE(loop.run_for(2s, [&] { return !seen.empty(); }));
   EXPECT_THAT(seen, testing::ElementsAre(2));
 }
@@ -112,14 +117,16 @@ TEST(PubSub, MalformedSamplesAreDroppedAndReported) {
   auto in = node.subscribe<sensor_msgs::msg::JointState>("/joint_states", Qos::standard(),
                                                          [&](const auto&) { ++seen; });
   const std::vector<std::vector<std::uint8_t>> samples = {
-      {},                                                                      // nothing
-      {0, 1, 0},                                                               // no encapsulation
-      {0, 3, 0, 0, 1, 2, 3, 4},                                                // parameter list
-      {0, 1, 0, 0, 1, 0, 0, 0},                                                // ends in the stamp
-      {0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 0xff, 0xff, 0xff, 0xff},            // frame_id of 4 GiB
+      {},                                                                           // nothing
+      {0, 1, 0},                                                                    // no encapsulation
+      {0, 3, 0, 0, 1, 2, 3, 4},                                                     // parameter list
+      {0, 1, 0, 0, 1, 0, 0, 0},                                                     // ends in the stamp
+      {0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 0xff, 0xff, 0xff, 0xff},                 // frame_id of 4 GiB
       {0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 0xff, 0, 0, 0, 0, 0, 0, 0},  // not UTF-8
-      {0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 0xff, 0x7f, 0, 0, 0, 0},  // 2^31 names
-      {0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 0xff, 0x3f}};  // 2^30 positions
+      {0, 1, 0, 0, 1, 0, 0,    0,    2,    0,    0, 0, 1, 0,
+       0, 0, 0, 0, 0, 0, 0xff, 0xff, 0xff, 0x7f, 0, 0, 0, 0},  // 2^31 names
+      {0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0,    0,    1,    0,
+       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 0xff, 0x3f}};  // 2^30 positions
   for (const auto& sample : samples) (*hostile)->write_raw(sample);
   while (loop.run_pending()) {
   }
@@ -153,8 +160,9 @@ TEST(PubSub, ImmediateCallbacksComeInTheWritersThread) {
   Node node(*context, loop, plain("node"));
   std::thread::id where;
   auto out = node.advertise<Int32>("/cancel", Qos::standard());
-  auto in = node.subscribe<Int32>(
-      "/cancel", Qos::standard(), [&](const Int32&) { where = std::this_thread::get_id(); }, {.immediate = true});
+  auto in =
+      node.subscribe<Int32>("/cancel", Qos::standard(),
+                            [&](const Int32&) { where = std::this_thread::get_id(); }, {.immediate = true});
   out->publish(number(1));
   EXPECT_EQ(where, std::this_thread::get_id());
 }

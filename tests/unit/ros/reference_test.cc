@@ -1,4 +1,5 @@
-// Our types and decoders against what real ROS 2 nodes sent (../shared/data/ros2; skipped where that is absent).
+// Our types and decoders against what real ROS 2 nodes sent (../shared/data/ros2; skipped where that is
+// absent).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -94,7 +95,8 @@ TEST_F(Reference, CdrEqualsThatOfBothDistributions) {
       const auto* support = idl::find_type_support(name);
       if (support == nullptr) continue;
       // Humble's Gid has 24 bytes: detail/graph.h handles both.
-      if (std::string(file).find("humble") != std::string::npos && name.starts_with("rmw_dds_common")) continue;
+      if (std::string(file).find("humble") != std::string::npos && name.starts_with("rmw_dds_common"))
+        continue;
       const Bytes filled = from_hex(vector["filled_cdr"]);
       Bytes mask = from_hex(vector["filled_mask"]);
       mask.insert(mask.begin(), {0xff, 0xff, 0, 0});  // the mask covers the body only
@@ -121,11 +123,13 @@ TEST_F(Reference, CapturedSamplesRoundTrip) {
       if (support == nullptr || topic == "ros_discovery_info") continue;
       Bytes payload = from_hex(sample["payload"]);
       const bool service = topic.starts_with("rq/") || topic.starts_with("rr/");
-      if (distro == "jc" && service) payload.erase(payload.begin() + 4, payload.begin() + 20);  // Cyclone's header
+      if (distro == "jc" && service)
+        payload.erase(payload.begin() + 4, payload.begin() + 20);  // Cyclone's header
       const char* fault = nullptr;
       const Bytes again = round_trip(*support, payload, &fault);
       ASSERT_EQ(fault, nullptr) << distro << " " << topic << ": " << fault;
-      EXPECT_TRUE(equal_under(detail::layout_of(*support).data_mask(payload), again, payload)) << distro << " " << topic;
+      EXPECT_TRUE(equal_under(detail::layout_of(*support).data_mask(payload), again, payload))
+          << distro << " " << topic;
       ++compared;
     }
     EXPECT_GT(compared, 80) << distro;

@@ -20,7 +20,9 @@ AddTwoInts::Request sum_of(int a, int b) {
   return request;
 }
 
-void add(const AddTwoInts::Request& request, AddTwoInts::Response& response) { response.sum(request.a() + request.b()); }
+void add(const AddTwoInts::Request& request, AddTwoInts::Response& response) {
+  response.sum(request.a() + request.b());
+}
 
 TEST(Service, AnswersInsideAndAcrossParticipants) {
   auto here = make_context(kServiceDomain);
@@ -83,10 +85,12 @@ TEST(Service, DeferredAnswers) {
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   std::vector<Responder<Trigger>> kept;
-  auto server = Server<Trigger>::deferred(node, "later", [&](auto, auto responder) { kept.push_back(responder); });
+  auto server =
+      Server<Trigger>::deferred(node, "later", [&](auto, auto responder) { kept.push_back(responder); });
   Client<Trigger> client(node, "later");
   bool answered = false;
-  client.call({}, [&](Expected<std::shared_ptr<Trigger::Response>> response) { answered = response.has_value(); });
+  client.call(
+      {}, [&](Expected<std::shared_ptr<Trigger::Response>> response) { answered = response.has_value(); });
   while (loop.run_pending()) {
   }
   ASSERT_EQ(kept.size(), 1u);
@@ -127,7 +131,8 @@ TEST(Service, CycloneRequestsAreNotExecuted) {
   auto server = std::make_shared<ServiceServerBase>(
       loop, [&](std::shared_ptr<void>, const SampleId&) { ++calls; }, [](const std::string&) {});
   ASSERT_TRUE(server->open(context->participant(), "/add", "", types, Qos::services()));
-  // Only the vendor id of the writer tells them apart; a real Cyclone client is tried in tests/interoperability.
+  // Only the vendor id of the writer tells them apart; a real Cyclone client is tried in
+  // tests/interoperability.
   SampleInfo info;
   info.id.writer = {0x01, 0x10};
   server->on_request(std::make_shared<AddTwoInts::Request>(), info);

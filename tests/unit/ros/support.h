@@ -1,5 +1,5 @@
-// What the tests of components/ros share. Every test program has a DDS domain of its own, so that tests can run
-// at the same time.
+// What the tests of components/ros share. Every test program has a DDS domain of its own, so that tests can
+// run at the same time.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// goalnet-bench-peer DOMAIN: the other process of `goalnet bench ros`. Echoes, answers and publishes until its
-// standard input ends.
+// goalnet-bench-peer DOMAIN: the other process of `goalnet bench ros`. Echoes, answers and publishes until
+// its standard input ends.
 #include <unistd.h>
 
 #include <cstdio>
@@ -29,16 +29,20 @@ int main(int argc, char** argv) {
   ros::Node node(**context, loop, options);
   using std_msgs::msg::String;
   auto direct_out = node.advertise<String>("/bench/direct_pong");
-  auto direct_in = node.subscribe<String>(
-      "/bench/direct_ping", ros::Qos::standard(), [&](const String& m) { direct_out->publish(m); }, {.immediate = true});
+  auto direct_in =
+      node.subscribe<String>("/bench/direct_ping", ros::Qos::standard(),
+                             [&](const String& m) { direct_out->publish(m); }, {.immediate = true});
   auto queued_out = node.advertise<String>("/bench/queued_pong");
-  auto queued_in = node.subscribe<String>("/bench/queued_ping", ros::Qos::standard(), [&](const String& m) { queued_out->publish(m); });
+  auto queued_in = node.subscribe<String>("/bench/queued_ping", ros::Qos::standard(),
+                                          [&](const String& m) { queued_out->publish(m); });
   ros::Server<example_interfaces::srv::AddTwoInts> add(
-      node, "/bench/add", [](const auto& request, auto& response) { response.sum(request.a() + request.b()); });
+      node, "/bench/add",
+      [](const auto& request, auto& response) { response.sum(request.a() + request.b()); });
   auto beat = node.advertise<String>("/bench/beat");
   auto timer = node.create_timer(std::chrono::milliseconds(5), [&] { beat->publish({}); });
   tools::PlainEndpoint* plain = nullptr;
-  tools::PlainEndpoint echo(domain, "rt/bench/plain_ping", "rt/bench/plain_pong", [&plain](const std::string& text) { plain->write(text); });
+  tools::PlainEndpoint echo(domain, "rt/bench/plain_ping", "rt/bench/plain_pong",
+                            [&plain](const std::string& text) { plain->write(text); });
   plain = &echo;
   std::jthread until_input_ends([&loop] {
     char byte = 0;

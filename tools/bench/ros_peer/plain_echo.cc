@@ -35,7 +35,8 @@ class StringType : public dds::TopicDataType {
   }
   bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
     eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->max_size);
-    eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN, eprosima::fastcdr::Cdr::DDS_CDR);
+    eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN,
+                               eprosima::fastcdr::Cdr::DDS_CDR);
     payload->encapsulation = CDR_LE;
     cdr.serialize_encapsulation();
     static_cast<String*>(data)->serialize(cdr);
@@ -44,13 +45,16 @@ class StringType : public dds::TopicDataType {
   }
   bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
     eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->length);
-    eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN, eprosima::fastcdr::Cdr::DDS_CDR);
+    eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN,
+                               eprosima::fastcdr::Cdr::DDS_CDR);
     cdr.read_encapsulation();
     static_cast<String*>(data)->deserialize(cdr);
     return true;
   }
   std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return static_cast<std::uint32_t>(String::getCdrSerializedSize(*static_cast<String*>(data))) + 4u; };
+    return [data] {
+      return static_cast<std::uint32_t>(String::getCdrSerializedSize(*static_cast<String*>(data))) + 4u;
+    };
   }
   void* createData() override { return new String(); }
   void deleteData(void* data) override { delete static_cast<String*>(data); }
@@ -100,8 +104,9 @@ PlainEndpoint::PlainEndpoint(int domain, const std::string& read, const std::str
   reader_qos.history().depth = 10;
   reader_qos.data_sharing().off();
   reader_qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
-  impl_->writer = impl_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
-                      ->create_datawriter(out, writer_qos, impl_.get(), dds::StatusMask::publication_matched());
+  impl_->writer =
+      impl_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
+          ->create_datawriter(out, writer_qos, impl_.get(), dds::StatusMask::publication_matched());
   impl_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT)
       ->create_datareader(in, reader_qos, impl_.get(),
                           dds::StatusMask::data_available() << dds::StatusMask::subscription_matched());
