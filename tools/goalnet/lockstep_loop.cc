@@ -194,6 +194,8 @@ void LockstepLoop::step() {
   impl_->simulator->tick();
 }
 
+sim::World& LockstepLoop::world() { return impl_->simulator->world(); }
+
 Expected<void> LockstepLoop::picture(const std::string& path) const {
   return sim::write_png(sim::render(impl_->simulator->world(), sim::Camera{}), path);
 }

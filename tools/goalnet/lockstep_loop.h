@@ -14,6 +14,10 @@
 #include "components/core/predicate.h"
 #include "components/ros/arguments.h"
 
+namespace goalnet::sim {
+class World;
+}
+
 namespace goalnet::tools {
 
 struct LoopOptions {
@@ -58,6 +62,9 @@ class LockstepLoop {
 
   // [s] since the simulation began.
   double sim_time() const;
+
+  // The physics behind the topics, for faults and tests; change it between steps only.
+  sim::World& world();
 
   // Ends a long computation inside step(); from any thread.
   void interrupt();

@@ -1,0 +1,149 @@
+// What can go wrong in the room itself while the robot works: the loop must notice, and either get there all
+// the same or end with a typed outcome and a message, the robot at rest.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/world.h"
+#include "tools/goalnet/lockstep_loop.h"
+
+namespace goalnet::tools {
+namespace {
+
+using testing::AnyOf;
+
+class PhysicalFault : public testing::Test {
+ protected:
+  void SetUp() override {
+    LoopOptions options;
+    options.process_only = true;
+    options.instruction_timeout = 300.0;
+    LoopEvents events;
+    events.on_status = [this](const coordinator::Report& report) { last_ = report; };
+    events.on_world = [this](const WorldState& world) { world_ = world; };
+    auto loop = LockstepLoop::create(options, std::move(events));
+    ASSERT_TRUE(loop) << loop.error().message;
+    loop_ = std::move(*loop);
+    ASSERT_TRUE(loop_->settle());
+  }
+
+  // Until `condition`, or the end of the run; false if the run ended first.
+  bool run_until(const std::function<bool()>& condition) {
+    while (!last_.finished) {
+      if (condition()) return true;
+      loop_->step();
+    }
+    return false;
+  }
+  bool run_until_action(const std::string& action) {
+    return run_until([&] { return to_string(last_.current_action) == action; });
+  }
+  void run_to_the_end() {
+    static_cast<void>(run_until([] { return false; }));
+    RecordProperty("message", last_.message);
+    RecordProperty("sim_time", std::to_string(loop_->sim_time()));
+  }
+  void go_on(double seconds) {
+    const double until = loop_->sim_time() + seconds;
+    while (loop_->sim_time() < until) loop_->step();
+  }
+
+  std::size_t object(const std::string& name) {
+    const scene::Scene& scene = loop_->world().scene();
+    return static_cast<std::size_t>(scene.find_object(name) - scene.objects.data());
+  }
+  bool holds(const std::string& fact) { return world_.facts.contains(parse_predicate(fact).value()); }
+  // Nothing moves any more once a run has ended.
+  void expect_at_rest() {
+    go_on(2.0);
+    double fastest = 0.0;
+    for (std::size_t j = 0; j < loop_->world().robot_joint_count(); ++j)
+      fastest = std::max(fastest, std::abs(loop_->world().robot_joint(j).velocity));
+    EXPECT_LT(fastest, 0.02);
+  }
+
+  std::unique_ptr<LockstepLoop> loop_;
+  coordinator::Report last_;
+  WorldState world_;
+};
+
+const Goal kMugInSink{{{"On", "Mug_1", "Sink"}}, {}, 1.0};
+
+TEST_F(PhysicalFault, SomebodyMovesTheMugOnTheWay) {
+  loop_->pursue(kMugInSink);
+  ASSERT_TRUE(run_until_action("moveto Mug_1"));
+  go_on(0.5);
+  scene::Pose elsewhere = loop_->world().object_pose(object("Mug_1"));
+  elsewhere.translation() +=
+      Eigen::Vector3d(0.20, -1.20, 0.0);  // to a free place in the rear row of the counter
+  loop_->world().set_object_pose(object("Mug_1"), elsewhere);
+  run_to_the_end();
+  EXPECT_EQ(last_.outcome, Outcome::kDone) << last_.message;
+  EXPECT_TRUE(holds("On Mug_1 Sink"));
+}
+
+TEST_F(PhysicalFault, SomebodyDoesTheWorkFirst) {
+  loop_->pursue(kMugInSink);
+  ASSERT_TRUE(run_until_action("grasp Mug_1"));
+  const scene::Scene& scene = loop_->world().scene();
+  loop_->world().set_object_pose(
+      object("Mug_1"), scene.find_fixture("Sink")->pose * scene.find_region("Sink")->supports[0].frame);
+  run_to_the_end();
+  EXPECT_EQ(last_.outcome, Outcome::kDone) << last_.message;
+  EXPECT_TRUE(holds("On Mug_1 Sink"));
+}
+
+TEST_F(PhysicalFault, TheDoorFallsShut) {
+  loop_->pursue({{{"In", "Mug_1", "Microwave"}}, {}, 1.0});
+  ASSERT_TRUE(run_until_action("moveto Mug_1") || run_until_action("grasp Mug_1"));
+  if (!holds("state Microwave DoorIsOpen")) {
+    ASSERT_TRUE(run_until([&] { return holds("state Microwave DoorIsOpen"); }));
+  }
+  go_on(0.5);
+  const int door = loop_->world().find_fixture_joint("MicrowaveDoor_joint");
+  ASSERT_GE(door, 0);
+  loop_->world().set_fixture_position(static_cast<std::size_t>(door), 0.0);
+  run_to_the_end();
+  EXPECT_EQ(last_.outcome, Outcome::kDone) << last_.message;
+  EXPECT_TRUE(holds("In Mug_1 Microwave"));
+}
+
+TEST_F(PhysicalFault, TheHandLosesTheMug) {
+  loop_->pursue(kMugInSink);
+  ASSERT_TRUE(run_until([&] { return holds("Grasping Robot Mug_1"); }));
+  ASSERT_TRUE(run_until_action("moveto Sink"));
+  go_on(1.0);
+  loop_->world().drop_grasp("left");
+  loop_->world().drop_grasp("right");
+  run_to_the_end();
+  // It lies on the floor now, where the arms may or may not get it.
+  EXPECT_THAT(last_.outcome, AnyOf(Outcome::kDone, Outcome::kMotionFailed, Outcome::kNoPlan))
+      << last_.message;
+  EXPECT_EQ(holds("On Mug_1 Sink"), last_.outcome == Outcome::kDone);
+  EXPECT_EQ(last_.message.empty(), false);
+  expect_at_rest();
+}
+
+TEST_F(PhysicalFault, AJointIsBlocked) {
+  loop_->pursue(kMugInSink);
+  ASSERT_TRUE(run_until_action("grasp Mug_1"));
+  for (const char* joint : {"left_arm_4", "right_arm_4"}) loop_->world().freeze_joint(joint, true);
+  run_to_the_end();
+  EXPECT_EQ(last_.outcome, Outcome::kMotionFailed) << last_.message;
+  EXPECT_THAT(last_.message, testing::HasSubstr("_arm_4"));
+  expect_at_rest();
+}
+
+TEST_F(PhysicalFault, TheTapIsDead) {
+  loop_->world().disable_device("Mug_1", true);  // no water reaches it
+  loop_->pursue({{{"On", "Mug_1", "Sink"}, {"state", "Mug_1", "Water"}}, {}, 1.0});
+  run_to_the_end();
+  EXPECT_NE(last_.outcome, Outcome::kDone);
+  EXPECT_FALSE(last_.message.empty());
+  EXPECT_FALSE(holds("state Mug_1 Water"));  // where the mug ended up depends on the last attempt
+  EXPECT_LT(loop_->sim_time(), 300.0) << "it gives up before its time is over";
+}
+
+}  // namespace
+}  // namespace goalnet::tools
