@@ -61,6 +61,12 @@ Expected<void> check_shape(const JointTrajectory& trajectory) {
   return {};
 }
 
+// Within a micrometre or microradian.
+bool equal_but_for_rounding(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return std::abs(x - y) <= 1e-6; });
+}
+
 // A planner that has nothing to do for a moment may give the same point twice at the same time; that is
 // harmless.
 JointTrajectory without_repeated_points(const JointTrajectory& given) {
@@ -68,7 +74,7 @@ JointTrajectory without_repeated_points(const JointTrajectory& given) {
   trajectory.points.reserve(given.points.size());
   for (const TrajectoryPoint& point : given.points) {
     const bool repeated = !trajectory.points.empty() && trajectory.points.back().time_ns == point.time_ns &&
-                          trajectory.points.back().position == point.position;
+                          equal_but_for_rounding(trajectory.points.back().position, point.position);
     if (!repeated) trajectory.points.push_back(point);
   }
   return trajectory;
