@@ -142,6 +142,12 @@ void ActionRunner::next_phase(Orders& orders) {
 
 void ActionRunner::watch_motion(const executor::ExecutorStatus& status) {
   using executor::ExecutorState;
+  // In FAULT the executor takes nothing until somebody resets it: another way would not help.
+  if (status.state == ExecutorState::kFault) {
+    bench_.forget_command();
+    const Outcome outcome = status.outcome == Outcome::kDone ? Outcome::kMotionFailed : status.outcome;
+    return finish(outcome, "the executor is in fault and waits for a reset: " + status.message);
+  }
   if (status.rejected_stamp_ns == sent_.stamp_ns) {
     bench_.forget_command();
     return attempt_failed(
@@ -154,10 +160,6 @@ void ActionRunner::watch_motion(const executor::ExecutorStatus& status) {
       finish(Outcome::kComponentLost, "the executor did not report the end of a motion; is it running?");
     }
     return;
-  }
-  if (status.outcome == Outcome::kEmergencyStop) {
-    bench_.forget_command();
-    return finish(status.outcome, status.message);
   }
   if (status.outcome != Outcome::kDone) {
     bench_.forget_command();

@@ -22,7 +22,8 @@ class Tolerances {
  public:
   void allow(int part, int body, double distance);
   void allow_all(const PartSet& parts, int body);  // contact of any depth: the hand and what it grasps
-  void allow_self(int part_a, int part_b, double distance);  // two parts of the robot: what is held and the tray
+  void allow_self(int part_a, int part_b,
+                  double distance);  // two parts of the robot: what is held and the tray
   double limit(int part, int body, double margin) const;
 
  private:

@@ -6,6 +6,9 @@
 namespace goalnet::manipulation {
 namespace {
 
+const char* const kScoop = "IceCreamScoop";
+const char* const kSpoon = "Spoon_1";
+
 bool known(const Workbench& bench, const std::string& name) {
   const auto& scene = bench.scene();
   return scene.find_object(name) || scene.find_fixture(name) || scene.find_part(name) ||
@@ -23,9 +26,10 @@ Expected<void> need_part(const Workbench& bench, const std::string& name,
 
 const std::vector<std::pair<std::string, std::size_t>>& skill_names() {
   static const std::vector<std::pair<std::string, std::size_t>> kNames = {
-      {"moveto", 1},    {"grasp", 1},   {"release", 1}, {"stow", 1},     {"unstow", 1},
-      {"keep-on", 2},   {"keep-in", 2}, {"turn-on", 1}, {"turn-off", 1}, {"press-on", 1},
-      {"press-off", 1}, {"press", 1},   {"open", 1},    {"close", 1},
+      {"moveto", 1},   {"grasp", 1},    {"release", 1},   {"stow", 1},  {"unstow", 1},
+      {"keep-on", 2},  {"keep-in", 2},  {"open", 1},      {"close", 1}, {"turn-on", 1},
+      {"turn-off", 1}, {"press-on", 1}, {"press-off", 1}, {"press", 1}, {"pour", 2},
+      {"pour-out", 1}, {"squeeze", 2},  {"add", 2},       {"scoop", 2},
   };
   return kNames;
 }
@@ -43,6 +47,8 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
                                               std::to_string(found->second) + " argument(s)");
   }
   for (const auto& argument : action.arguments) {
+    // A scoop of ice cream is no thing of the scene: it lies in the spoon.
+    if (argument == kScoop && action.name == "add") continue;
     if (!known(bench, argument)) {
       return fail(Outcome::kUnknownObject,
                   "'" + to_string(action) + "': this scene has no '" + argument + "'");
@@ -69,7 +75,21 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
       return tl::unexpected<Error>(ok.error());
     return Result(std::make_unique<PressSkill>(x));
   }
+  if (name == "add" && x == kScoop) {
+    return Result(
+        std::make_unique<GestureSkill>(action, GestureSkill::Kind::kPour, kSpoon, action.arguments[1]));
+  }
   if (auto ok = need_object(); !ok) return tl::unexpected<Error>(ok.error());
+  if (name == "pour" || name == "squeeze" || name == "add" || name == "pour-out" || name == "scoop") {
+    const auto kind = name == "scoop" ? GestureSkill::Kind::kScoop : GestureSkill::Kind::kPour;
+    const std::string receiver = action.arguments.size() > 1 ? action.arguments[1] : "";
+    const auto* model = bench.scene().find_model_of(x);
+    if (kind == GestureSkill::Kind::kPour && !model->cavity) {
+      return fail(Outcome::kInvalidRequest,
+                  "'" + to_string(action) + "': '" + x + "' has no opening to pour from");
+    }
+    return Result(std::make_unique<GestureSkill>(action, kind, x, receiver));
+  }
   if (name == "grasp" || name == "unstow") return Result(std::make_unique<GraspSkill>(x));
   if (name == "release") return Result(std::make_unique<PlaceSkill>(x, Where::kNearest, ""));
   if (name == "stow") return Result(std::make_unique<PlaceSkill>(x, Where::kTray, ""));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
@@ -92,16 +91,20 @@ class EdgeCheck : public ob::MotionValidator {
 
 }  // namespace
 
-void seed_planner(unsigned seed) {
-  static std::once_flag once;
-  std::call_once(once, [seed] {
-    ompl::RNG::setSeed(seed);
-    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  });
+namespace {
+
+// Every call draws the same random numbers, whatever was planned before it: results do not depend on history.
+// OMPL hands a fresh seed to each new generator; seeding its source anew repeats them. It warns that
+// generators made earlier keep theirs, which is no loss here: none outlives a call. Hence the silence.
+void seed_planner() {
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  ompl::RNG::setSeed(1);
 }
 
+}  // namespace
+
 Expected<JointPath> plan_path(const PathQuery& query, const PlannerLimits& limits) {
-  seed_planner(1);
+  seed_planner();
   const auto n = static_cast<unsigned>(query.start.size());
   auto space = std::make_shared<TimeSpace>(n);
   ob::RealVectorBounds bounds(n);

@@ -29,11 +29,8 @@ struct PathQuery {
 };
 
 // A free polyline from start to goal. Straight if that is free. kMotionFailed if none is found, with the
-// reason. Deterministic in the sequence of calls: OMPL's random numbers are seeded once per process
-// (seed_planner).
+// reason. The same query gives the same path, whatever was planned before. One thread of a process at a time:
+// OMPL's seeds are global.
 Expected<JointPath> plan_path(const PathQuery& query, const PlannerLimits& limits);
-
-// Seeds OMPL; must come before its first use in the process. Further calls do nothing.
-void seed_planner(unsigned seed);
 
 }  // namespace goalnet::manipulation

@@ -69,6 +69,23 @@ class PressSkill : public Skill {
   std::set<std::size_t> failed_;
 };
 
+// pour x y, pour-out x, squeeze x y, add salt x, add scoop x, scoop spoon source: a gesture with what is
+// held.
+class GestureSkill : public Skill {
+ public:
+  enum class Kind { kPour, kScoop };
+  // `receiver` empty: the sink.
+  GestureSkill(Action action, Kind kind, std::string tool, std::string receiver)
+      : action_(std::move(action)), kind_(kind), tool_(std::move(tool)), receiver_(std::move(receiver)) {}
+  Expected<Phases> attempt(Workbench& bench, int number) override;
+
+ private:
+  Action action_;
+  Kind kind_;
+  std::string tool_, receiver_;
+  std::set<std::size_t> failed_;
+};
+
 // Ways to take hold of an object with any empty hand. `pull`: offset of the last leg after lifting [m].
 std::vector<Reach> grasp_reaches(Workbench& bench, const std::string& object);
 // Ways to take hold of a moving part.

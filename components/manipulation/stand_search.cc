@@ -29,7 +29,8 @@ Configuration posture_at(const Workbench& bench, const Stand& stand, bool drives
   return q;
 }
 
-std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reach>& reaches, bool may_drive) {
+std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reach>& reaches,
+                                  const StandSearchOptions& options) {
   const Stand here = bench.stand_of(bench.now());
   const auto& model = bench.model();
   double lift_low = 0, lift_high = 0;
@@ -45,12 +46,13 @@ std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reac
   std::vector<double> lifts{here.lift};
   for (const double share : {0.95, 0.7, 0.45, 0.2, 0.0})
     lifts.push_back(lift_low + share * (lift_high - lift_low));
+  if (!options.may_lift) lifts.resize(1);
   for (const double lift : lifts) {
     Stand stand = here;
     stand.lift = std::clamp(lift, lift_low, lift_high);
     add(stand, std::abs(lift - here.lift) / 0.3, false);
   }
-  if (!may_drive) return out;
+  if (!options.may_drive) return out;
   // Where the target should be seen from the base: ahead, and on the side of the arm.
   struct Target {
     Eigen::Vector3d point;
@@ -192,7 +194,7 @@ Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& r
   Search search(bench, reaches, options);
   // First only the best ways everywhere: a better stand is found sooner than a contorted reach from this one.
   constexpr std::size_t kBest = 24;
-  const auto stands = candidates(bench, reaches, options.may_drive);
+  const auto stands = candidates(bench, reaches, options);
   const std::pair<std::size_t, std::size_t> passes[] = {{0, kBest}, {kBest, options.most_reaches}};
   for (const auto& [from, to] : passes) {
     if (from >= std::min(to, reaches.size())) continue;

@@ -28,6 +28,7 @@ struct ReachSolution {
 
 struct StandSearchOptions {
   bool may_drive = true;
+  bool may_lift = true;
   bool backwards = false;  // hands may point back over the robot: to its tray
   // Extra check of a whole solution, for example a door that swings through the robot; empty: none.
   std::function<bool(const Configuration& start, const Reach&, const std::vector<ArmPositions>&)> accept;

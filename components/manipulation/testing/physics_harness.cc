@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "executor/joint_limits.h"
+
 namespace goalnet::manipulation {
 namespace {
 
@@ -10,24 +12,7 @@ constexpr std::int64_t kMillisecond = 1'000'000;
 
 executor::ExecutorParams executor_params(const robot::RobotModel& robot) {
   executor::ExecutorParams params;
-  for (const auto& joint : robot.joints) {
-    const bool prismatic = joint.kind == robot::JointKind::kPrismatic;
-    const bool finger = std::any_of(robot.arms.begin(), robot.arms.end(), [&](const robot::Arm& arm) {
-      const auto& f = arm.gripper.fingers;
-      return std::find(f.begin(), f.end(), joint.name) != f.end();
-    });
-    executor::JointLimits limits;
-    limits.name = joint.name;
-    limits.position_min = joint.limits.lower;
-    limits.position_max = joint.limits.upper;
-    limits.velocity = joint.limits.velocity;
-    limits.acceleration = joint.limits.acceleration;
-    limits.continuous = joint.kind == robot::JointKind::kContinuous;
-    limits.start_tolerance = finger ? 0.2 : prismatic ? 0.05 : 0.10;
-    limits.tracking_tolerance = finger ? 0.0 : prismatic ? 0.12 : 0.30;
-    limits.goal_tolerance = finger ? 0.0 : prismatic ? 0.02 : 0.05;
-    params.joints.push_back(limits);
-  }
+  params.joints = executor::joint_limits(robot, executor::Tolerances());
   params.settle_time = 1.0;
   return params;
 }
