@@ -72,6 +72,15 @@ JointTrajectory time_path(const TimedJoints& joints, const JointPath& given) {
   }
   if (!given.empty() && path.size() > 1) path.back() = given.back();
   if (path.size() < 2) return out;
+  // Both ends rest: a path needs points between them to have any speed at all.
+  while (path.size() < 9) {
+    JointPath finer{path.front()};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      finer.push_back(0.5 * (path[i - 1] + path[i]));
+      finer.push_back(path[i]);
+    }
+    path = std::move(finer);
+  }
   const auto slopes = slopes_of(path, scale);
   const std::size_t n = path.size();
   std::vector<double> speed2(n);

@@ -49,6 +49,17 @@ TEST(TrajectoryTiming, NoWayNoPoints) {
   EXPECT_TRUE(time_path(joints, {}).points.empty());
 }
 
+TEST(TrajectoryTiming, TinyMotionsOfTwoPointsHaveTimesToo) {
+  const auto joints = two_joints();
+  for (const double way : {3e-5, 1e-3, 0.5}) {
+    const auto t = time_path(joints, {JointVector::Zero(2), JointVector::Constant(2, way)});
+    expect_within_limits(t, joints, 1.15);
+    EXPECT_GT(duration_s(t), 0.0);
+    EXPECT_LT(duration_s(t), 2.0);
+    EXPECT_DOUBLE_EQ(t.points.back().position[1], way);
+  }
+}
+
 TEST(TrajectoryTiming, RoundedCornersKeepTheLimits) {
   const auto joints = two_joints();
   const JointVector scale = joints.velocity.cwiseInverse();
