@@ -93,7 +93,6 @@ struct SimulatorNode::Internals {
     tf2_msgs::msg::TFMessage fixed;
     fill_transforms(*world, stamp(), false, fixed);
     static_transforms->publish(fixed);
-    publish_states();
   }
 
   builtin_interfaces::msg::Time stamp() const { return ros::Time(time_ns).to_msg(); }
@@ -183,7 +182,9 @@ struct SimulatorNode::Internals {
       fill_transforms(*world, stamp(), true, transform_message);
       transforms->publish(transform_message);
     }
-    if (!(world->facts() == published_facts)) publish_states();
+    // First with the first tick: what is published before a reader exists reaches it some time later, from a
+    // DDS thread, and in lockstep nothing may depend on when.
+    if (ticks == 1 || !(world->facts() == published_facts)) publish_states();
   }
 
   ros::Node& node;
