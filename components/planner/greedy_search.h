@@ -1,5 +1,7 @@
-// Finds some plan quickly where an optimal one is out of reach: lazy greedy best-first search with the relaxed-plan
-// heuristic and preferred actions (Helmert's Fast Downward, JAIR 2006, two queues with boosting).
+// Finds some plan quickly where an optimal one is out of reach: lazy greedy best-first search with the
+// relaxed-plan heuristic and preferred actions (Helmert's Fast Downward, JAIR 2006, queues with boosting),
+// and lookahead: each relaxed plan is carried out as far as it goes (Vidal's YAHSP, ICAPS 2004). Goals that
+// the relaxed plan would undo again count as reached too early: that orders towers from the bottom up.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +16,18 @@ namespace goalnet::planner {
 
 class GreedySearch {
  public:
-  enum class Result { kFound, kExhausted, kStopped, kLimit };
+  enum class Result { kFound, kExhausted, kStopped, kLimit, kMemory };
 
-  // `most_states`: evaluated before giving up with kLimit; `most_bytes` likewise (0 = no limit). Only plans cheaper than
-  // `upper_bound` count.
-  Result search(const GroundTask& task, RelaxedPlanner& heuristic, const Word* initial, std::int64_t upper_bound,
-                std::int64_t most_states, std::int64_t most_bytes, Budget& budget, Statistics& statistics);
+  // kLazy takes the parent's estimate for a state's until it comes up, and looks ahead: quick where the way
+  // is easy. kEager estimates every successor and counts goals reached too early: steady where the order of
+  // goals matters.
+  enum class Style { kLazy, kEager };
+
+  // `most_states`: evaluated before giving up with kLimit; `most_bytes` likewise with kMemory (0 = no limit).
+  // Only plans cheaper than `upper_bound` count.
+  Result search(const GroundTask& task, RelaxedPlanner& heuristic, const Word* initial,
+                std::int64_t upper_bound, std::int64_t most_states, std::int64_t most_bytes, Budget& budget,
+                Statistics& statistics, Style style = Style::kLazy);
   const std::vector<std::int32_t>& plan() const { return plan_; }
 
  private:
@@ -27,12 +35,13 @@ class GreedySearch {
     std::int32_t parent = -1;
     std::int32_t action = -1;
     std::int64_t g = 0;
+    bool opened = false;  // evaluated; states on the way of a lookahead are not
   };
-  struct Entry {  // a successor not yet made
+  struct Entry {          // a successor not yet made
     std::int64_t h;       // of the parent
     std::int64_t serial;  // first in, first out
     std::int32_t parent;
-    std::int32_t action;
+    std::int32_t action;  // -1: the state `parent` itself is to be expanded (kEager)
     bool operator<(const Entry& other) const { return h != other.h ? h > other.h : serial > other.serial; }
   };
   struct Queue {
@@ -41,6 +50,13 @@ class GreedySearch {
   };
 
   bool pop(Entry* entry);
+  void note_goals(const GroundTask& task);
+  // Goals that hold in `state` but that the last relaxed plan would undo: they were reached too early.
+  std::int64_t undone_goals(const GroundTask& task, const RelaxedPlanner& heuristic, const Word* state);
+  // Carries out the last relaxed plan from state `id`, as far as its actions apply in some order. The new
+  // state where that ends, or -1.
+  std::int32_t look_ahead(const GroundTask& task, const RelaxedPlanner& heuristic, std::int32_t id,
+                          std::int64_t upper_bound);
   void push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action);
 
   StateTable states_;
@@ -48,6 +64,10 @@ class GreedySearch {
   Queue all_, preferred_;
   std::int64_t serial_ = 0;
   std::vector<Word> next_;
+  std::vector<std::int32_t> rest_;
+  std::vector<std::uint8_t> is_goal_;  // by literal; 2 while counted
+  std::vector<Literal> undone_;
+  std::vector<std::int32_t> applicable_, helpful_;
   std::vector<std::int32_t> plan_;
 };
 

@@ -8,6 +8,7 @@
 #include "components/planner/normal_form.h"
 #include "components/planner/one_action.h"
 #include "components/planner/optimal_search.h"
+#include "components/planner/serial_search.h"
 #include "components/planner/task_filter.h"
 #include "components/planner/world.h"
 
@@ -46,6 +47,7 @@ struct Planner::Impl {
   std::vector<Word> focused_initial;
   OptimalSearch optimal;
   GreedySearch greedy;
+  SerialSearch serial;
   Problem scratch;  // for solve(WorldState, Goal)
   std::vector<GoalLiteral> literals;
   std::vector<Word> initial;
@@ -187,13 +189,37 @@ Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions&
 // Optimal search, with a satisficing one in between where that gives a first plan sooner.
 void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options, Budget& budget) {
   constexpr std::int64_t kFirstNodes = 2000;     // most household problems end before
+  constexpr std::int64_t kFirstWork = 600'000;   // nodes times actions: large tasks get fewer nodes, but some
+  constexpr std::int64_t kFewestNodes = 50;
   constexpr std::int64_t kFirstStates = 20'000;  // of the greedy search while the optimal one still has hope
+  const auto start = Clock::now();
+  constexpr std::int64_t kMostStates = INT64_MAX / 64;
   SearchLimits limits;
   limits.bytes = options.memory_limit;
   if (found) limits.upper_bound = plan.cost;
   const auto greedily = [&](std::int64_t most_states, Budget& time) {
-    const auto result = greedy.search(task, relaxed_planner, initial.data(), limits.upper_bound, most_states,
-                                      options.memory_limit / 2, time, plan.statistics);
+    using Style = GreedySearch::Style;
+    const auto run = [&](Style style, std::int64_t states) {
+      return greedy.search(task, relaxed_planner, initial.data(), limits.upper_bound, states, options.memory_limit / 2,
+                           time, plan.statistics, style);
+    };
+    // The two take turns, each with more states than before: they fail on different problems.
+    auto result = GreedySearch::Result::kLimit;
+    for (std::int64_t states = kFirstStates / 2; result == GreedySearch::Result::kLimit; states *= 4) {
+      const std::int64_t here = std::min(states, most_states);
+      result = run(Style::kLazy, here);
+      if (result == GreedySearch::Result::kLimit && states == kFirstStates / 2 && task.goal.size() > 1 &&
+          serial.search(task, relaxed_planner, initial.data(), options.memory_limit / 2, time, plan.statistics) &&
+          cost_of(serial.plan()) < limits.upper_bound) {
+        best = serial.plan();
+        plan.cost = limits.upper_bound = cost_of(best);
+        plan.statistics.method = "serial search";
+        found = true;
+        return GreedySearch::Result::kFound;
+      }
+      if (result == GreedySearch::Result::kLimit) result = run(Style::kEager, 2 * here);
+      if (states >= most_states || states > kMostStates) break;
+    }
     if (result == GreedySearch::Result::kFound) {
       best = greedy.plan();
       plan.cost = limits.upper_bound = cost_of(best);
@@ -225,7 +251,9 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     optimal.start(focused, focused_lm_cut, focused_initial.data(), plan.lower_bound);
     auto result = OptimalSearch::Result::kNodeLimit;
     if (!found && !greedy_tried) {
-      here.nodes = options.node_limit > 0 ? std::min(options.node_limit, kFirstNodes) : kFirstNodes;
+      const auto actions = std::max<std::int64_t>(static_cast<std::int64_t>(focused.actions.size()), 1);
+      here.nodes = std::clamp(kFirstWork / actions, kFewestNodes, kFirstNodes);
+      if (options.node_limit > 0) here.nodes = std::min(options.node_limit, here.nodes);
       result = optimal.resume(here, budget, plan.statistics);
       if (result == OptimalSearch::Result::kNodeLimit) {
         greedy_tried = true;
@@ -237,9 +265,15 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     }
     if (result == OptimalSearch::Result::kNodeLimit) {
       here.nodes = options.node_limit;
-      // Without a plan so far some time must be left for finding one.
-      Budget part(options.stop, budget.limited() ? (budget.deadline() - Clock::now()) / 2 : std::chrono::seconds(0));
-      result = optimal.resume(here, found ? budget : part, plan.statistics);
+      // Without a plan so far some time must be left for finding one; with one, more may not be worth the wait.
+      auto share = budget.limited() ? budget.deadline() - Clock::now() : std::chrono::nanoseconds(0);
+      if (!found) share /= 2;
+      if (found && options.proof_limit.count() > 0) {
+        const auto proof = std::max(options.proof_limit - (Clock::now() - start), std::chrono::nanoseconds(1));
+        share = budget.limited() ? std::min<std::chrono::nanoseconds>(share, proof) : proof;
+      }
+      Budget part(options.stop, share);
+      result = optimal.resume(here, part, plan.statistics);
     }
     plan.lower_bound = std::max(plan.lower_bound, std::min(optimal.lower_bound(), bound));
     if (result == OptimalSearch::Result::kFound) {

@@ -20,6 +20,9 @@ namespace goalnet::planner {
 struct SolveOptions {
   // Zero: none. After it the best plan so far is returned (optimal = false), or kTimeLimit if there is none.
   std::chrono::nanoseconds time_limit{0};
+  // Once a plan is known, at most this long is spent in all on proving it optimal or finding a better one. Zero: up to
+  // time_limit.
+  std::chrono::nanoseconds proof_limit{0};
   // States expanded by the optimal search before a satisficing one takes over. Zero: no limit. Unlike a time
   // limit it gives the same answer on every machine.
   std::int64_t node_limit = 0;

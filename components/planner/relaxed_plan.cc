@@ -17,6 +17,10 @@ void RelaxedPlanner::restart(const RelaxedTask& relaxed) {
   unsatisfied_.resize(relaxed.operators().size());
   sum_.resize(relaxed.operators().size());
   in_plan_.assign(relaxed.task().actions.size(), 0);
+  extra_ = 0;
+  for (const GroundAction& action : relaxed.task().actions) {
+    if (action.cost == 0) extra_ = 1;
+  }
 }
 
 void RelaxedPlanner::reach(Proposition p, std::int64_t cost, std::int32_t op) {
@@ -31,8 +35,9 @@ void RelaxedPlanner::explore(const Word* state, Budget& budget) {
   const auto& operators = relaxed_->operators();
   std::fill(cost_.begin(), cost_.end(), kUnreached);
   for (std::size_t i = 0; i < operators.size(); ++i) {
-    unsatisfied_[i] = static_cast<std::int32_t>(operators[i].precondition_end - operators[i].precondition_begin);
-    sum_[i] = relaxed_->cost(operators[i]);
+    unsatisfied_[i] =
+        static_cast<std::int32_t>(operators[i].precondition_end - operators[i].precondition_begin);
+    sum_[i] = cost_of(operators[i]);
   }
   queue_.clear();
   applicable_.clear();
@@ -47,7 +52,7 @@ void RelaxedPlanner::explore(const Word* state, Budget& budget) {
       sum_[i] = std::min(sum_[i] + cost, kHighest);
       if (--unsatisfied_[i] != 0) continue;
       const std::int32_t action = operators[i].action;
-      if (cost == 0 && action >= 0 && sum_[i] == relaxed_->cost(operators[i]) &&
+      if (cost == 0 && action >= 0 && sum_[i] == cost_of(operators[i]) &&
           (applicable_.empty() || applicable_.back() != action)) {
         applicable_.push_back(action);
       }
@@ -92,7 +97,7 @@ std::int64_t RelaxedPlanner::evaluate(const Word* state, Budget& budget) {
   std::int64_t total = 0;
   for (const std::int32_t action : plan_) {
     in_plan_[static_cast<std::size_t>(action)] = 0;
-    total += relaxed_->task().actions[static_cast<std::size_t>(action)].cost;
+    total += relaxed_->task().actions[static_cast<std::size_t>(action)].cost + extra_;
   }
   return total;
 }

@@ -1,5 +1,6 @@
-// Relaxed plans by cheapest supporters (h-add): an inadmissible but informed estimate, preferred actions, and often
-// the plan itself, because executing a relaxed plan in a sensible order already reaches most household goals.
+// Relaxed plans by cheapest supporters (h-add): an inadmissible but informed estimate, preferred actions, and
+// often the plan itself, because executing a relaxed plan in a sensible order already reaches most household
+// goals.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ class RelaxedPlanner {
   static constexpr std::int64_t kDeadEnd = INT64_MAX / 4;
 
   void restart(const RelaxedTask& relaxed);
-  // The cost of a relaxed plan from `state`, or kDeadEnd.
+  // The cost of a relaxed plan from `state`, or kDeadEnd. Where actions may be free, each counts one more.
   std::int64_t evaluate(const Word* state, Budget& budget);
   // Its actions, each after what it needs: the order in which a person would do them.
   const std::vector<std::int32_t>& actions() const { return plan_; }
@@ -24,8 +25,8 @@ class RelaxedPlanner {
   // Actions applicable in the state last evaluated, as far as they have a wanted effect there.
   const std::vector<std::int32_t>& applicable() const { return applicable_; }
 
-  // Runs relaxed plans from `state` one after the other as far as their actions apply. True if the goal is reached;
-  // `plan` then holds the real plan.
+  // Runs relaxed plans from `state` one after the other as far as their actions apply. True if the goal is
+  // reached; `plan` then holds the real plan.
   bool execute(const Word* state, Budget& budget, std::vector<std::int32_t>* plan);
 
  private:
@@ -33,13 +34,19 @@ class RelaxedPlanner {
   void reach(Proposition p, std::int64_t cost, std::int32_t op);
   void extract(Proposition goal);
 
+  std::int64_t cost_of(const RelaxedOperator& op) const {
+    return op.action < 0 ? 0 : relaxed_->cost(op) + extra_;
+  }
+
   const RelaxedTask* relaxed_ = nullptr;
-  std::vector<std::int64_t> cost_;          // by proposition
-  std::vector<std::int32_t> best_;          // by proposition: its cheapest producer, -1 = holds
-  std::vector<std::int32_t> unsatisfied_;   // by operator
-  std::vector<std::int64_t> sum_;           // by operator
-  std::vector<std::uint8_t> marked_;        // by proposition: extracted
-  std::vector<std::uint8_t> in_plan_;       // by action
+  std::int64_t extra_ =
+      0;  // per action: 1 if some are free, so that only what applies at once is reached for nothing
+  std::vector<std::int64_t> cost_;         // by proposition
+  std::vector<std::int32_t> best_;         // by proposition: its cheapest producer, -1 = holds
+  std::vector<std::int32_t> unsatisfied_;  // by operator
+  std::vector<std::int64_t> sum_;          // by operator
+  std::vector<std::uint8_t> marked_;       // by proposition: extracted
+  std::vector<std::uint8_t> in_plan_;      // by action
   std::vector<std::int32_t> plan_, applicable_;
   std::vector<std::pair<Proposition, std::uint32_t>> stack_;
   std::vector<std::int32_t> rest_;

@@ -16,6 +16,7 @@ namespace {
 struct Options {
   std::string domain, problem;
   double time_limit = 20.0;
+  double proof_limit = 5.0;
   double memory_limit = 1024.0;
   bool satisficing = false, statistics = false, json = false;
 };
@@ -57,6 +58,7 @@ Expected<planner::Plan> make_plan(const Options& options, bool* with_costs) {
   *with_costs = problem->minimise_cost;
   planner::SolveOptions solve;
   solve.time_limit = std::chrono::nanoseconds(static_cast<std::int64_t>(options.time_limit * 1e9));
+  solve.proof_limit = std::chrono::nanoseconds(static_cast<std::int64_t>(options.proof_limit * 1e9));
   solve.memory_limit = static_cast<std::int64_t>(options.memory_limit * 1024 * 1024);
   solve.satisficing = options.satisficing;
   solve.stop = interruption().get_token();
@@ -79,6 +81,10 @@ int plan_command(int argc, char** argv) {
   app.add_option("problem", options.problem, "PDDL problem file")->required();
   app.add_option("--time-limit", options.time_limit,
                  "seconds; then the best plan so far is printed, which may not be optimal (0: no limit)")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--proof-limit", options.proof_limit,
+                 "seconds for proving a plan that was found optimal, or improving it (0: up to the time limit)")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--memory-limit", options.memory_limit, "megabytes for the search's tables")
