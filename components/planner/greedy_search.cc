@@ -86,6 +86,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
   serial_ = 0;
   next_.resize(words);
   note_goals(task);
+  plan_.clear();
   std::int64_t cheapest = INT64_MAX;
   for (const GroundAction& action : task.actions)
     cheapest = std::min(cheapest, std::max<std::int64_t>(action.cost, 1));

@@ -197,6 +197,21 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   SearchLimits limits;
   limits.bytes = options.memory_limit;
   if (found) limits.upper_bound = plan.cost;
+  // One goal after the other; true if that gives a plan cheaper than all before.
+  const auto serially = [&](Budget& time) {
+    if (task.goal.size() < 2 ||
+        !serial.search(task, relaxed_planner, initial.data(), kFirstStates, options.memory_limit / 2, time, plan.statistics)) {
+      return false;
+    }
+    std::int64_t most = limits.upper_bound;
+    if (!greedy.plan().empty()) most = std::min(most, cost_of(greedy.plan()));
+    if (cost_of(serial.plan()) >= most) return false;
+    best = serial.plan();
+    plan.cost = limits.upper_bound = cost_of(best);
+    plan.statistics.method = "serial search";
+    found = true;
+    return true;
+  };
   const auto greedily = [&](std::int64_t most_states, Budget& time) {
     using Style = GreedySearch::Style;
     const auto run = [&](Style style, std::int64_t states) {
@@ -208,13 +223,9 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     for (std::int64_t states = kFirstStates / 2; result == GreedySearch::Result::kLimit; states *= 4) {
       const std::int64_t here = std::min(states, most_states);
       result = run(Style::kLazy, here);
-      if (result == GreedySearch::Result::kLimit && states == kFirstStates / 2 && task.goal.size() > 1 &&
-          serial.search(task, relaxed_planner, initial.data(), options.memory_limit / 2, time, plan.statistics) &&
-          cost_of(serial.plan()) < limits.upper_bound) {
-        best = serial.plan();
-        plan.cost = limits.upper_bound = cost_of(best);
-        plan.statistics.method = "serial search";
-        found = true;
+      // Also where the lazy search wandered about: its plans are long then.
+      const bool wandered = result == GreedySearch::Result::kFound && plan.statistics.evaluated > kFirstStates / 8;
+      if ((wandered || result == GreedySearch::Result::kLimit) && states == kFirstStates / 2 && serially(time)) {
         return GreedySearch::Result::kFound;
       }
       if (result == GreedySearch::Result::kLimit) result = run(Style::kEager, 2 * here);

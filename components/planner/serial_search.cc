@@ -49,7 +49,8 @@ bool SerialSearch::advance(const GroundTask& task, RelaxedPlanner& heuristic, Co
 }
 
 bool SerialSearch::search(const GroundTask& task, RelaxedPlanner& heuristic, const Word* initial,
-                          std::int64_t most_bytes, Budget& budget, Statistics& statistics) {
+                          std::int64_t most_states, std::int64_t most_bytes, Budget& budget, Statistics& statistics) {
+  const std::int64_t last = statistics.evaluated + most_states;
   part_ = task;
   state_.assign(initial, initial + std::max<std::size_t>(task.words(), 1));
   reached_.clear();
@@ -58,7 +59,7 @@ bool SerialSearch::search(const GroundTask& task, RelaxedPlanner& heuristic, con
   while (!open.empty() && !budget.check()) {
     bool any = false;
     for (const bool strict : {true, false}) {
-      for (std::size_t i = 0; i < open.size() && !any && !budget.check(); ++i) {
+      for (std::size_t i = 0; i < open.size() && !any && !budget.check() && statistics.evaluated < last; ++i) {
         if (!advance(task, heuristic, open[i], most_bytes, strict, budget, statistics)) continue;
         open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
         any = true;

@@ -12,10 +12,10 @@ namespace goalnet::planner {
 
 class SerialSearch {
  public:
-  // True with plan() reaching all goals of `task` from `initial`. `heuristic` must have been made for the
+  // `most_states`: evaluated before giving up. True with plan() reaching all goals of `task` from `initial`. `heuristic` must have been made for the
   // whole goal.
-  bool search(const GroundTask& task, RelaxedPlanner& heuristic, const Word* initial, std::int64_t most_bytes,
-              Budget& budget, Statistics& statistics);
+  bool search(const GroundTask& task, RelaxedPlanner& heuristic, const Word* initial, std::int64_t most_states,
+              std::int64_t most_bytes, Budget& budget, Statistics& statistics);
   const std::vector<std::int32_t>& plan() const { return plan_; }
 
  private:
