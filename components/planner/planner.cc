@@ -191,6 +191,7 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   constexpr std::int64_t kFirstNodes = 2000;     // most household problems end before
   constexpr std::int64_t kFirstWork = 600'000;   // nodes times actions: large tasks get fewer nodes, but some
   constexpr std::int64_t kFewestNodes = 50;
+  constexpr std::size_t kLargeTask = 10'000;     // actions
   constexpr std::int64_t kFirstStates = 20'000;  // of the greedy search while the optimal one still has hope
   const auto start = Clock::now();
   constexpr std::int64_t kMostStates = INT64_MAX / 64;
@@ -245,6 +246,11 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     return;
   }
   bool greedy_tried = false;
+  if (!found && task.actions.size() > kLargeTask) {  // here even the first lower bounds take seconds
+    greedy_tried = true;
+    Budget half(options.stop, budget.limited() ? (budget.deadline() - Clock::now()) / 2 : std::chrono::seconds(0));
+    greedily(kFirstStates, half);
+  }
   // Plans up to a little above the lower bound first: the fewer actions fit under the bound, the faster the search.
   // The bound grows until a plan is found or nothing was left out.
   const std::int64_t unit = dearest_action();
