@@ -4,9 +4,7 @@
 #include <utility>
 
 #include "components/coordinator/coordinator_node.h"
-#ifdef GOALNET_HAS_INFERENCE
 #include "components/goalnet/goalnet_node.h"
-#endif
 #include "components/manipulation/manipulation_node.h"
 #include "components/planner/planner_node.h"
 #include "components/world_model/world_model_node.h"
@@ -27,9 +25,7 @@ constexpr ComponentKind kKinds[] = {
     {"simulator", "the kitchen or living room in Bullet, with the robot in it", create<sim::SimulatorNode>},
     {"executor", "follows trajectories at 1 kHz within limits", create<executor::ExecutorNode>},
     {"world_model", "poses and joint positions to symbolic facts", create<world_model::WorldModelNode>},
-#ifdef GOALNET_HAS_INFERENCE
     {"goalnet", "sentence and world to goal predicates", create<inference::GoalnetNode>},
-#endif
     {"planner", "goal predicates to a plan", create<planner::PlannerNode>},
     {"manipulation", "symbolic actions to trajectories", create<manipulation::ManipulationNode>},
     {"coordinator", "the loop: infer, plan, act, observe", create<coordinator::CoordinatorNode>},

@@ -21,6 +21,17 @@
 namespace goalnet::tools {
 namespace {
 
+// Behind the robot and to its left, above its head: shows what its hands do wherever it stands.
+sim::Camera over_the_shoulder(const sim::World& world) {
+  const scene::Pose base = world.robot_link_pose("base_link");
+  sim::Camera camera;
+  camera.eye = base * Eigen::Vector3d(-0.75, 1.15, 1.95);
+  camera.target = base * Eigen::Vector3d(0.65, 0.0, 0.95);
+  camera.width = 960;
+  camera.height = 720;
+  return camera;
+}
+
 using goalnet_msgs::msg::ActionStatus;
 using goalnet_msgs::msg::GoalPredicates;
 using goalnet_msgs::msg::InstructionStatus;
@@ -197,7 +208,8 @@ void LockstepLoop::step() {
 sim::World& LockstepLoop::world() { return impl_->simulator->world(); }
 
 Expected<void> LockstepLoop::picture(const std::string& path) const {
-  return sim::write_png(sim::render(impl_->simulator->world(), sim::Camera{}), path);
+  const sim::World& world = impl_->simulator->world();
+  return sim::write_png(sim::render(world, over_the_shoulder(world)), path);
 }
 
 double LockstepLoop::sim_time() const { return impl_->observer->now().seconds(); }

@@ -1,14 +1,8 @@
 // The program people type. See command.h for why it is this small.
 #include "tools/goalnet/command.h"
-#ifdef GOALNET_HAS_PLAN
 #include "tools/goalnet/plan_command.h"
-#endif
-#ifdef GOALNET_HAS_INFER
 #include "tools/goalnet/infer_command.h"
-#endif
-#ifdef GOALNET_HAS_EVAL
 #include "tools/goalnet/eval_command.h"
-#endif
 
 namespace goalnet::tools {
 namespace {
@@ -24,15 +18,9 @@ constexpr Command kCommands[] = {
     {"run", "let a simulated robot carry out an instruction", nullptr, "goalnet-robot"},
     {"component", "run one component as a process of its own, as a ROS 2 node", nullptr, "goalnet-robot"},
     {"record", "record topics into a bag that ros2 bag and Foxglove open", nullptr, "goalnet-robot"},
-#ifdef GOALNET_HAS_PLAN
     {"plan", "solve a PDDL problem", plan_command},
-#endif
-#ifdef GOALNET_HAS_INFER
     {"infer", "infer the goal of an instruction in a given world state", infer_command},
-#endif
-#ifdef GOALNET_HAS_EVAL
     {"eval", "score a model on a folder of demonstrations", eval_command},
-#endif
     {"train", "learn a model from demonstrations (needs libtorch)", nullptr, "goalnet-train"},
     {"ablate", "train and score the paper's network without each of its parts (needs libtorch)", nullptr, "goalnet-train"},
     {"bench", "measure speed: inference, planning, motion, real-time factor, jitter", nullptr,

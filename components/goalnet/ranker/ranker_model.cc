@@ -160,7 +160,7 @@ RankerModel::Decoded RankerModel::decode_robot(const Instruction& instruction, c
   const Understanding understanding = reader.read(instruction, start);
   const auto refuse = [&](const std::string& why) {
     decoded.refused = true;
-    decoded.refusal = {Outcome::kNotUnderstood, "not understood: " + why};
+    decoded.refusal = {Outcome::kNotUnderstood, why};
   };
   if (!understanding.complete) {
     refuse(understanding.problems.empty() ? "nothing here can be done about that"
