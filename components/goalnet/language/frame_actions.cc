@@ -170,12 +170,7 @@ std::string FrameActions::fill_with_water(Symbol vessel) {
 }
 
 std::string FrameActions::add(const Clause& clause) {
-  if (!clause.unknown.empty()) {
-    Problem problem = "\"" + clause.unknown.front() + "\" is unknown";
-    if (const std::string near = language_.nearest(clause.unknown.front()); !near.empty())
-      problem += "; the nearest known word is \"" + near + "\"";
-    return problem;
-  }
+  if (!clause.unknown.empty()) return language_.unknown_word(clause.unknown.front());
   const SymState before = now_;
   const std::size_t count = macros_.size();
   Problem problem;

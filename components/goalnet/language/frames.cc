@@ -12,11 +12,7 @@ Understanding FrameReader::read(const Instruction& instruction, const SymState& 
   if (sentence.clauses.empty()) {
     result.nothing_known = true;
     std::string problem = "there is no verb that a robot could act on";
-    if (!sentence.stray.empty()) {
-      problem += "; \"" + sentence.stray.front() + "\" is unknown";
-      if (const std::string near = language_.nearest(sentence.stray.front()); !near.empty())
-        problem += ", the nearest known word is \"" + near + "\"";
-    }
+    if (!sentence.stray.empty()) problem += "; " + language_.unknown_word(sentence.stray.front());
     result.problems.push_back(problem);
     return result;
   }
@@ -29,12 +25,7 @@ Understanding FrameReader::read(const Instruction& instruction, const SymState& 
     else
       result.problems.push_back(problem);
   }
-  if (!sentence.stray.empty()) {
-    std::string problem = "\"" + sentence.stray.front() + "\" is unknown";
-    if (const std::string near = language_.nearest(sentence.stray.front()); !near.empty())
-      problem += "; the nearest known word is \"" + near + "\"";
-    result.problems.push_back(problem);
-  }
+  if (!sentence.stray.empty()) result.problems.push_back(language_.unknown_word(sentence.stray.front()));
   result.macros = actions.macros();
   result.complete = understood == sentence.clauses.size() && sentence.stray.empty();
   return result;

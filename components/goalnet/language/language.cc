@@ -130,6 +130,13 @@ std::string Language::correct(const std::string& word) const {
   return choice.empty() ? word : choice;
 }
 
+std::string Language::unknown_word(const std::string& word) const {
+  const std::string near = nearest(word);
+  return "\"" + word + "\" is unknown; " +
+         (near.empty() ? "say it with the names of things and places that are here"
+                       : "the nearest known word is \"" + near + "\"");
+}
+
 std::string Language::nearest(const std::string& word) const {
   int best = 1 + static_cast<int>(word.size()) / 2;
   std::string choice;

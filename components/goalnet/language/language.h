@@ -60,6 +60,8 @@ class Language {
   std::string correct(const std::string& word) const;
   // The known word nearest in spelling, for "did you mean"; empty when nothing is near.
   std::string nearest(const std::string& word) const;
+  // What to tell a person about a word that is not known, with the nearest known one where there is one.
+  std::string unknown_word(const std::string& word) const;
   // Words that training saw in instructions: known, though no verb and no name.
   void add_known(const std::string& word) { seen_.insert(word); }
   // Other words for known ones ("deposit" -> "put"), for example from WordNet.
