@@ -1,8 +1,8 @@
 // The program people type. See command.h for why it is this small.
 #include "tools/goalnet/command.h"
-#include "tools/goalnet/plan_command.h"
-#include "tools/goalnet/infer_command.h"
 #include "tools/goalnet/eval_command.h"
+#include "tools/goalnet/infer_command.h"
+#include "tools/goalnet/plan_command.h"
 
 namespace goalnet::tools {
 namespace {
@@ -21,7 +21,7 @@ constexpr Command kCommands[] = {
     {"plan", "solve a PDDL problem", plan_command},
     {"infer", "infer the goal of an instruction in a given world state", infer_command},
     {"eval", "score a model on a folder of demonstrations", eval_command},
-    {"train", "learn a model from demonstrations (needs libtorch)", nullptr, "goalnet-train"},
+    {"train", "learn a model from demonstrations", nullptr, "goalnet-train"},
     {"ablate", "train and score the paper's network without each of its parts (needs libtorch)", nullptr, "goalnet-train"},
     {"bench", "measure speed: inference, planning, motion, real-time factor, jitter", nullptr,
      "goalnet-robot"},
