@@ -51,13 +51,15 @@ Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::P
     return fail(Outcome::kInternal, "Fast DDS cannot make a writer for " + options.dds_topic);
   }
   impl->gid = detail::to_gid(impl->writer->guid());
-  participant->note_writer(options.dds_topic, options.dds_type, options.qos.reliable,
-                           options.qos.transient_local);
+  participant->written().note(options.dds_topic, impl->gid,
+                              {options.dds_type, options.type_hash, {.qos = options.qos, .history_known = true}});
   participant->add_endpoint(options.node, impl->gid, true);
+  participant->written().local_writer_made();
   return std::shared_ptr<Writer>(new Writer(std::move(impl)));
 }
 
 Writer::~Writer() {
+  impl_->participant->written().forget(impl_->options.dds_topic, impl_->gid);
   impl_->writer->set_listener(nullptr);
   impl_->participant->publisher().delete_datawriter(impl_->writer);
   impl_->participant->release_topic(impl_->options.dds_topic);

@@ -7,6 +7,7 @@
 #include "components/goalnet/goalnet_node.h"
 #include "components/manipulation/manipulation_node.h"
 #include "components/planner/planner_node.h"
+#include "components/visualization/visualization_node.h"
 #include "components/world_model/world_model_node.h"
 #include "executor/executor_node.h"
 #include "sim/simulator_node.h"
@@ -29,6 +30,7 @@ constexpr ComponentKind kKinds[] = {
     {"planner", "goal predicates to a plan", create<planner::PlannerNode>},
     {"manipulation", "symbolic actions to trajectories", create<manipulation::ManipulationNode>},
     {"coordinator", "the loop: infer, plan, act, observe", create<coordinator::CoordinatorNode>},
+    {"visualization", "markers of objects, facts, goal and path for RViz", create<visualization::VisualizationNode>},
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "components/coordinator/status_message.h"
 #include "components/manipulation/manipulation_node.h"
 #include "components/messages/conversions.h"
+#include "components/ros/bag/recorder.h"
 #include "components/ros/node.h"
 #include "executor/executor_node.h"
 #include "goalnet_msgs/msg/ActionStatus.h"
@@ -45,11 +46,12 @@ ros::Arguments node_arguments(const LoopOptions& options, std::string_view compo
   };
   const bool simulator = component == "simulator", executor = component == "executor";
   const bool manipulation = component == "manipulation", world_model = component == "world_model";
+  const bool visualization = component == "visualization";
   if (!simulator) set("use_sim_time", true);
   if (simulator || executor) set("lockstep", true);
-  if (simulator || manipulation || world_model) set("scene", options.scene);
+  if (simulator || manipulation || world_model || visualization) set("scene", options.scene);
   if (simulator) set("seed", static_cast<std::int64_t>(options.seed));
-  if ((simulator || executor || manipulation || world_model) && !options.robot.empty())
+  if ((simulator || executor || manipulation || world_model || visualization) && !options.robot.empty())
     set("robot", options.robot);
   if (component == "goalnet" && !options.model.empty()) set("model", options.model);
   if (component == "coordinator") {
@@ -72,6 +74,7 @@ struct LockstepLoop::Impl {
   std::vector<std::unique_ptr<ros::Node>> nodes;
   std::map<std::string, std::unique_ptr<ros::Component>, std::less<>> components;
   LoopEvents events;
+  std::unique_ptr<ros::Recorder> recorder;
   ros::Node* observer = nullptr;
   std::shared_ptr<ros::Publisher<std_msgs::msg::String>> instruction;
   std::shared_ptr<ros::Publisher<GoalPredicates>> goal;
@@ -84,6 +87,7 @@ struct LockstepLoop::Impl {
   bool world_seen = false;
 
   ~Impl() {
+    recorder.reset();
     world_state.reset();
     action_status.reset();
     status.reset();
@@ -99,9 +103,30 @@ struct LockstepLoop::Impl {
     nodes.push_back(std::move(*node));
     return nodes.back().get();
   }
+  Expected<void> add_recorder(const LoopOptions& options);
   Expected<void> add_components(const LoopOptions& options);
   Expected<void> add_observer(const LoopOptions& options);
 };
+
+// Before all others, so that it hears them from their first word.
+Expected<void> LockstepLoop::Impl::add_recorder(const LoopOptions& options) {
+  if (options.record.empty()) return {};
+  ros::RecorderOptions recorder_options;
+  auto storage = ros::parse_bag_storage(options.record_storage);
+  if (!storage) return tl::unexpected<Error>(std::move(storage.error()));
+  recorder_options.bag.directory = options.record;
+  recorder_options.bag.storage = *storage;
+  recorder_options.lockstep = true;
+  ros::NodeOptions node_options;
+  node_options.name = "goalnet_record";
+  node_options.arguments = node_arguments(options, "goalnet_record");
+  auto node = add_node(std::move(node_options));
+  if (!node) return tl::unexpected<Error>(std::move(node.error()));
+  auto made = ros::Recorder::create(**node, std::move(recorder_options));
+  if (!made) return tl::unexpected<Error>(std::move(made.error()));
+  recorder = std::move(*made);
+  return {};
+}
 
 Expected<void> LockstepLoop::Impl::add_components(const LoopOptions& options) {
   for (const ComponentKind& kind : component_kinds()) {
@@ -165,6 +190,7 @@ Expected<std::unique_ptr<LockstepLoop>> LockstepLoop::create(const LoopOptions& 
   if (!context) return tl::unexpected<Error>(std::move(context.error()));
   impl->context = std::move(*context);
   impl->events = std::move(events);
+  if (auto added = impl->add_recorder(options); !added) return tl::unexpected<Error>(std::move(added.error()));
   if (auto added = impl->add_components(options); !added)
     return tl::unexpected<Error>(std::move(added.error()));
   if (auto added = impl->add_observer(options); !added)
@@ -210,6 +236,12 @@ sim::World& LockstepLoop::world() { return impl_->simulator->world(); }
 Expected<void> LockstepLoop::picture(const std::string& path) const {
   const sim::World& world = impl_->simulator->world();
   return sim::write_png(sim::render(world, over_the_shoulder(world)), path);
+}
+
+Expected<void> LockstepLoop::finish_recording() {
+  while (impl_->loop.run_pending()) {
+  }
+  return impl_->recorder != nullptr ? impl_->recorder->close() : Expected<void>();
 }
 
 double LockstepLoop::sim_time() const { return impl_->observer->now().seconds(); }

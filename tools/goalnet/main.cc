@@ -18,6 +18,7 @@ constexpr Command kCommands[] = {
     {"run", "let a simulated robot carry out an instruction", nullptr, "goalnet-robot"},
     {"component", "run one component as a process of its own, as a ROS 2 node", nullptr, "goalnet-robot"},
     {"record", "record topics into a bag that ros2 bag and Foxglove open", nullptr, "goalnet-robot"},
+    {"replay", "publish what a bag holds", nullptr, "goalnet-robot"},
     {"plan", "solve a PDDL problem", plan_command},
     {"infer", "infer the goal of an instruction in a given world state", infer_command},
     {"eval", "score a model on a folder of demonstrations", eval_command},

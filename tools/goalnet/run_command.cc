@@ -69,6 +69,8 @@ class Run {
     loop_options.max_steps = options_.max_steps;
     loop_options.instruction_timeout = options_.max_sim_time;
     loop_options.console = options_.verbose;
+    loop_options.record = options_.record;
+    loop_options.record_storage = options_.record_storage;
     loop_options.arguments = arguments;
     LoopEvents events;
     events.on_status = [this](const coordinator::Report& report) {
@@ -114,6 +116,9 @@ class Run {
       last.outcome = Outcome::kCancelled;
       last.message = "interrupted; the robot had not come to rest";
       record_.on_status(last);
+    }
+    if (const auto recorded = loop_->finish_recording(); !recorded) {
+      std::cerr << "goalnet run: " << recorded.error().message << "; the recording is not complete\n";
     }
     tell(last);
     return static_cast<int>(last.outcome);

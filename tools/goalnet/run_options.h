@@ -21,6 +21,8 @@ struct RunOptions {
   std::uint32_t max_steps = 0;  // 0: the coordinator's parameter
   double max_sim_time = 0.0;    // [s] 0: the coordinator's parameter
   std::string render;           // folder for a picture after each action; empty: none
+  std::string record;                   // directory of a bag of everything; empty: none
+  std::string record_storage = "mcap";  // or sqlite3
   bool json = false;
   bool verbose = false;                    // components log to standard error
   std::vector<std::string> ros_arguments;  // after --ros-args

@@ -1,113 +1,126 @@
-#include "components/ros/bag/mcap_writer.h"
+// MCAP: chunked and indexed. A chunk is written out when it reaches 1 MiB or at flush().
+#include <sys/file.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <map>
+#include <vector>
+
+#include "components/ros/bag/compression.h"
+#include "components/ros/bag/mcap_format.h"
+#include "components/ros/bag/offered_qos.h"
+#include "components/ros/bag/storage_writer.h"
 
 namespace goalnet::ros {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using namespace mcap;
 
-constexpr std::uint8_t kMagic[] = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
 constexpr std::size_t kChunkBytes = 1u << 20;
-enum Opcode : std::uint8_t {
-  kHeader = 0x01,
-  kFooter = 0x02,
-  kSchema = 0x03,
-  kChannel = 0x04,
-  kMessage = 0x05,
-  kChunk = 0x06,
-  kMessageIndex = 0x07,
-  kChunkIndexRecord = 0x08,
-  kStatistics = 0x0b,
-  kSummaryOffset = 0x0e,
-  kDataEnd = 0x0f,
+constexpr std::size_t kMostChannels = 65'000;  // ids have 16 bits
+
+class McapWriter : public StorageWriter {
+ public:
+  McapWriter(std::FILE* file, const StorageOptions& options) : file_(file), options_(options) {}
+  ~McapWriter() override { std::fclose(file_); }
+  McapWriter(const McapWriter&) = delete;
+
+  Expected<void> begin(const BagMetadata& metadata);
+  Expected<void> add_topic(const BagTopic& topic) override;
+  Expected<void> write(std::size_t topic, std::uint64_t log_time, std::uint64_t publish_time,
+                       std::span<const std::uint8_t> payload) override;
+  Expected<void> flush() override;
+  Expected<void> finish(const BagMetadata& metadata) override;
+  std::uint64_t size() const override { return offset_ + chunk_.size(); }
+
+ private:
+  struct ChunkPlace {
+    std::uint64_t start_time, end_time, offset, length, index_length, compressed, size;
+    std::map<std::uint16_t, std::uint64_t> index_offsets;
+  };
+  struct MetadataPlace {
+    std::uint64_t offset, length;
+  };
+  Expected<void> put(const Bytes& bytes);
+  Expected<void> put_metadata(const BagMetadata& metadata);
+  Bytes summary(std::uint64_t start) const;
+  Bytes chunk_indexes() const;
+  Bytes metadata_indexes() const;
+  Bytes statistics() const;
+
+  std::FILE* file_;
+  const StorageOptions options_;
+  std::uint64_t offset_ = 0;
+  Bytes schemas_, channels_;  // their records, repeated in the summary
+  std::map<std::string, std::uint16_t> schema_ids_;
+  std::map<std::uint16_t, std::uint64_t> counts_;  // messages by channel
+  std::map<std::uint16_t, std::uint32_t> sequences_;
+  Bytes chunk_;
+  std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> chunk_index_;  // time, offset
+  std::uint64_t chunk_start_ = 0, chunk_end_ = 0;
+  std::vector<ChunkPlace> chunks_;
+  std::vector<MetadataPlace> metadata_;
+  std::uint64_t message_count_ = 0, first_time_ = 0, last_time_ = 0;
 };
 
-template <class T>
-void number(Bytes& out, T value) {
-  for (std::size_t i = 0; i < sizeof(T); ++i)
-    out.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i)));
-}
-
-void text(Bytes& out, const std::string& value) {
-  number<std::uint32_t>(out, static_cast<std::uint32_t>(value.size()));
-  out.insert(out.end(), value.begin(), value.end());
-}
-
-template <class Key, class Value>
-void table(Bytes& out, const std::map<Key, Value>& values) {
-  number<std::uint32_t>(out, static_cast<std::uint32_t>(values.size() * (sizeof(Key) + sizeof(Value))));
-  for (const auto& [key, value] : values) {
-    number<Key>(out, key);
-    number<Value>(out, value);
-  }
-}
-
-void record(Bytes& out, Opcode opcode, const Bytes& content) {
-  out.push_back(opcode);
-  number<std::uint64_t>(out, content.size());
-  out.insert(out.end(), content.begin(), content.end());
-}
-
-}  // namespace
-
-Expected<std::unique_ptr<McapWriter>> McapWriter::create(const std::string& path) {
-  std::FILE* file = std::fopen(path.c_str(), "wbx");
-  if (file == nullptr)
-    return fail(Outcome::kInvalidRequest, "cannot make " + path + ": " + std::strerror(errno));
-  std::unique_ptr<McapWriter> writer(new McapWriter(file));
-  Bytes start(std::begin(kMagic), std::end(kMagic));
-  Bytes header;
-  text(header, "ros2");
-  text(header, "goalnet");
-  record(start, kHeader, header);
-  if (auto ok = writer->put(start); !ok) return tl::unexpected(ok.error());
-  return writer;
-}
-
-McapWriter::~McapWriter() {
-  static_cast<void>(close());
-  std::fclose(file_);
-}
-
 Expected<void> McapWriter::put(const Bytes& bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() || std::fflush(file_) != 0) {
     return fail(Outcome::kInternal, std::string("cannot write the recording: ") + std::strerror(errno));
   }
   offset_ += bytes.size();
   return {};
 }
 
-std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& type,
-                                      const std::string& definition, const std::string& qos,
-                                      const std::string& type_hash) {
+Expected<void> McapWriter::begin(const BagMetadata& metadata) {
+  Bytes start(std::begin(kMagic), std::end(kMagic));
+  Bytes header;
+  text(header, "ros2");
+  text(header, "goalnet");
+  record(start, kHeader, header);
+  if (auto ok = put(start); !ok) return ok;
+  return put_metadata(metadata);
+}
+
+// Without this record Jazzy takes the file for one of an older version, whose QoS are numbers. It comes first too, so
+// that it is there if the recorder is killed.
+Expected<void> McapWriter::put_metadata(const BagMetadata& metadata) {
+  std::map<std::string, std::string> values{{"ROS_DISTRO", options_.distro == Distro::kHumble ? "humble" : "jazzy"}};
+  if (options_.distro == Distro::kJazzy) {
+    values = {{"serialized_metadata", embedded_metadata_yaml(metadata, options_.distro)}};
+  }
+  Bytes content, out;
+  text(content, "rosbag2");
+  texts(content, values);
+  record(out, kMetadata, content);
+  metadata_.push_back({offset_, out.size()});
+  return put(out);
+}
+
+Expected<void> McapWriter::add_topic(const BagTopic& topic) {
+  if (counts_.size() >= kMostChannels) return fail(Outcome::kInternal, "a recording cannot hold more topics");
   const auto next_schema = static_cast<std::uint16_t>(schema_ids_.size() + 1);
-  const auto [schema, is_new] = schema_ids_.try_emplace(type, next_schema);
+  const auto [schema, is_new] = schema_ids_.try_emplace(topic.type, next_schema);
   Bytes records;
   if (is_new) {
     Bytes content;
     number<std::uint16_t>(content, schema->second);
-    text(content, type);
-    text(content, "ros2msg");
-    text(content, definition);
+    text(content, topic.type);
+    text(content, topic.definition.empty() ? "" : "ros2msg");
+    text(content, topic.definition);
     record(records, kSchema, content);
     schemas_.insert(schemas_.end(), records.begin(), records.end());
   }
   const auto id = static_cast<std::uint16_t>(counts_.size() + 1);
-  Bytes metadata;
-  text(metadata, "offered_qos_profiles");
-  text(metadata, qos);
-  text(metadata, "topic_type_hash");
-  text(metadata, type_hash);
   Bytes content;
   number<std::uint16_t>(content, id);
   number<std::uint16_t>(content, schema->second);
-  text(content, topic);
-  text(content, "cdr");
-  number<std::uint32_t>(content, static_cast<std::uint32_t>(metadata.size()));
-  content.insert(content.end(), metadata.begin(), metadata.end());
+  text(content, topic.name);
+  text(content, topic.serialization_format);
+  std::map<std::string, std::string> about{{"offered_qos_profiles", offered_qos_yaml(topic.offered, options_.distro)}};
+  if (options_.distro == Distro::kJazzy) about["topic_type_hash"] = topic.type_hash;
+  texts(content, about);
   Bytes channel;
   record(channel, kChannel, content);
   channels_.insert(channels_.end(), channel.begin(), channel.end());
@@ -115,12 +128,12 @@ std::uint16_t McapWriter::add_channel(const std::string& topic, const std::strin
   chunk_.insert(chunk_.end(), records.begin(), records.end());
   chunk_.insert(chunk_.end(), channel.begin(), channel.end());
   counts_[id] = 0;
-  return id;
+  return {};
 }
 
-Expected<void> McapWriter::write(std::uint16_t channel, std::uint64_t log_time, std::uint64_t publish_time,
+Expected<void> McapWriter::write(std::size_t topic, std::uint64_t log_time, std::uint64_t publish_time,
                                  std::span<const std::uint8_t> payload) {
-  if (closed_) return fail(Outcome::kInternal, "the recording is closed");
+  const auto channel = static_cast<std::uint16_t>(topic + 1);
   if (chunk_index_.empty()) chunk_start_ = chunk_end_ = log_time;
   if (message_count_ == 0) first_time_ = last_time_ = log_time;
   chunk_start_ = std::min(chunk_start_, log_time);
@@ -129,7 +142,7 @@ Expected<void> McapWriter::write(std::uint16_t channel, std::uint64_t log_time, 
   last_time_ = std::max(last_time_, log_time);
   chunk_index_[channel].emplace_back(log_time, chunk_.size());
   chunk_.push_back(kMessage);
-  number<std::uint64_t>(chunk_, 2 + 4 + 8 + 8 + payload.size());
+  number<std::uint64_t>(chunk_, kMessageHead + payload.size());
   number<std::uint16_t>(chunk_, channel);
   number<std::uint32_t>(chunk_, sequences_[channel]++);
   number<std::uint64_t>(chunk_, log_time);
@@ -142,22 +155,24 @@ Expected<void> McapWriter::write(std::uint16_t channel, std::uint64_t log_time, 
 
 Expected<void> McapWriter::flush() {
   if (chunk_index_.empty()) return {};
-  ChunkIndex index{chunk_start_, chunk_end_, offset_, 0, 0, chunk_.size(), {}};
+  const Bytes compressed = options_.compress ? compress_zstd(chunk_) : Bytes();
+  const Bytes& records = options_.compress ? compressed : chunk_;
+  ChunkPlace place{chunk_start_, chunk_end_, offset_, 0, 0, records.size(), chunk_.size(), {}};
   Bytes content;
   number<std::uint64_t>(content, chunk_start_);
   number<std::uint64_t>(content, chunk_end_);
   number<std::uint64_t>(content, chunk_.size());
-  number<std::uint32_t>(content, 0);  // no checksum
-  text(content, "");                  // no compression
-  number<std::uint64_t>(content, chunk_.size());
-  content.insert(content.end(), chunk_.begin(), chunk_.end());
+  number<std::uint32_t>(content, crc32(chunk_));
+  text(content, options_.compress ? "zstd" : "");
+  number<std::uint64_t>(content, records.size());
+  content.insert(content.end(), records.begin(), records.end());
   Bytes out;
   record(out, kChunk, content);
-  index.length = out.size();
+  place.length = out.size();
   for (auto& [channel, entries] : chunk_index_) {
     std::stable_sort(entries.begin(), entries.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    index.index_offsets[channel] = offset_ + out.size();
+    place.index_offsets[channel] = offset_ + out.size();
     Bytes list;
     number<std::uint16_t>(list, channel);
     number<std::uint32_t>(list, static_cast<std::uint32_t>(entries.size() * 16));
@@ -167,28 +182,17 @@ Expected<void> McapWriter::flush() {
     }
     record(out, kMessageIndex, list);
   }
-  index.index_length = out.size() - index.length;
+  place.index_length = out.size() - place.length;
   if (auto ok = put(out); !ok) return ok;
-  if (std::fflush(file_) != 0)
-    return fail(Outcome::kInternal, std::string("cannot write the recording: ") + std::strerror(errno));
-  chunks_.push_back(std::move(index));
+  chunks_.push_back(std::move(place));
   chunk_.clear();
   chunk_index_.clear();
   return {};
 }
 
-McapWriter::Bytes McapWriter::summary(std::uint64_t start) const {
+Bytes McapWriter::chunk_indexes() const {
   Bytes out;
-  std::vector<std::pair<Opcode, std::pair<std::uint64_t, std::uint64_t>>> groups;
-  const auto group = [&](Opcode opcode, const Bytes& records) {
-    if (records.empty()) return;
-    groups.push_back({opcode, {start + out.size(), records.size()}});
-    out.insert(out.end(), records.begin(), records.end());
-  };
-  group(kSchema, schemas_);
-  group(kChannel, channels_);
-  Bytes indexes;
-  for (const ChunkIndex& chunk : chunks_) {
+  for (const ChunkPlace& chunk : chunks_) {
     Bytes content;
     number<std::uint64_t>(content, chunk.start_time);
     number<std::uint64_t>(content, chunk.end_time);
@@ -196,55 +200,91 @@ McapWriter::Bytes McapWriter::summary(std::uint64_t start) const {
     number<std::uint64_t>(content, chunk.length);
     table(content, chunk.index_offsets);
     number<std::uint64_t>(content, chunk.index_length);
-    text(content, "");
+    text(content, options_.compress ? "zstd" : "");
+    number<std::uint64_t>(content, chunk.compressed);
     number<std::uint64_t>(content, chunk.size);
-    number<std::uint64_t>(content, chunk.size);
-    record(indexes, kChunkIndexRecord, content);
+    record(out, kChunkIndex, content);
   }
-  group(kChunkIndexRecord, indexes);
-  Bytes content;
+  return out;
+}
+
+Bytes McapWriter::metadata_indexes() const {
+  Bytes out;
+  for (const MetadataPlace& place : metadata_) {
+    Bytes content;
+    number<std::uint64_t>(content, place.offset);
+    number<std::uint64_t>(content, place.length);
+    text(content, "rosbag2");
+    record(out, kMetadataIndex, content);
+  }
+  return out;
+}
+
+Bytes McapWriter::statistics() const {
+  Bytes content, out;
   number<std::uint64_t>(content, message_count_);
   number<std::uint16_t>(content, static_cast<std::uint16_t>(schema_ids_.size()));
   number<std::uint32_t>(content, static_cast<std::uint32_t>(counts_.size()));
-  number<std::uint32_t>(content, 0);
-  number<std::uint32_t>(content, 0);
+  number<std::uint32_t>(content, 0);  // attachments
+  number<std::uint32_t>(content, static_cast<std::uint32_t>(metadata_.size()));
   number<std::uint32_t>(content, static_cast<std::uint32_t>(chunks_.size()));
   number<std::uint64_t>(content, first_time_);
   number<std::uint64_t>(content, last_time_);
   table(content, counts_);
-  Bytes statistics;
-  record(statistics, kStatistics, content);
-  group(kStatistics, statistics);
+  record(out, kStatistics, content);
+  return out;
+}
+
+Bytes McapWriter::summary(std::uint64_t start) const {
+  Bytes out, offsets;
+  const auto group = [&](Opcode opcode, const Bytes& records) {
+    if (records.empty()) return;
+    Bytes content;
+    content.push_back(opcode);
+    number<std::uint64_t>(content, start + out.size());
+    number<std::uint64_t>(content, records.size());
+    record(offsets, kSummaryOffset, content);
+    out.insert(out.end(), records.begin(), records.end());
+  };
+  group(kSchema, schemas_);
+  group(kChannel, channels_);
+  group(kChunkIndex, chunk_indexes());
+  group(kMetadataIndex, metadata_indexes());
+  group(kStatistics, statistics());
   const std::uint64_t offsets_start = start + out.size();
-  for (const auto& [opcode, place] : groups) {
-    Bytes offset;
-    offset.push_back(opcode);
-    number<std::uint64_t>(offset, place.first);
-    number<std::uint64_t>(offset, place.second);
-    record(out, kSummaryOffset, offset);
-  }
-  Bytes footer;
-  number<std::uint64_t>(footer, start);
-  number<std::uint64_t>(footer, offsets_start);
-  number<std::uint32_t>(footer, 0);
-  record(out, kFooter, footer);
+  out.insert(out.end(), offsets.begin(), offsets.end());
+  // The checksum covers the summary and the footer up to itself.
+  out.push_back(kFooter);
+  number<std::uint64_t>(out, 8 + 8 + 4);
+  number<std::uint64_t>(out, start);
+  number<std::uint64_t>(out, offsets_start);
+  number<std::uint32_t>(out, crc32(out));
   out.insert(out.end(), std::begin(kMagic), std::end(kMagic));
   return out;
 }
 
-Expected<void> McapWriter::close() {
-  if (closed_) return {};
+Expected<void> McapWriter::finish(const BagMetadata& metadata) {
   if (auto ok = flush(); !ok) return ok;
-  closed_ = true;
-  Bytes end;
-  Bytes content;
-  number<std::uint32_t>(content, 0);
+  if (auto ok = put_metadata(metadata); !ok) return ok;
+  Bytes end, content;
+  number<std::uint32_t>(content, 0);  // no checksum of the data: the chunks have their own
   record(end, kDataEnd, content);
   if (auto ok = put(end); !ok) return ok;
-  if (auto ok = put(summary(offset_)); !ok) return ok;
-  if (std::fflush(file_) != 0)
-    return fail(Outcome::kInternal, std::string("cannot write the recording: ") + std::strerror(errno));
-  return {};
+  return put(summary(offset_));
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<StorageWriter>> create_mcap_writer(const std::string& path, const BagMetadata& metadata,
+                                                            const StorageOptions& options) {
+  std::FILE* file = std::fopen(path.c_str(), "wbx");
+  if (file == nullptr)
+    return fail(Outcome::kInvalidRequest, "cannot make " + path + ": " + std::strerror(errno));
+  // Says that somebody is writing, also to other processes, and ends with this one: nobody repairs a living file.
+  ::flock(::fileno(file), LOCK_EX | LOCK_NB);
+  auto writer = std::make_unique<McapWriter>(file, options);
+  if (auto ok = writer->begin(metadata); !ok) return tl::unexpected<Error>(std::move(ok.error()));
+  return std::unique_ptr<StorageWriter>(std::move(writer));
 }
 
 }  // namespace goalnet::ros

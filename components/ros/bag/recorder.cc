@@ -1,8 +1,7 @@
 #include "components/ros/bag/recorder.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <tuple>
 
 #include "components/ros/detail/participant.h"
 #include "components/ros/names.h"
@@ -10,10 +9,20 @@
 namespace goalnet::ros {
 namespace {
 
-constexpr const char* kFileName = "recording_0.mcap";
 constexpr std::uint32_t kDepth = 1000;  // messages of one topic that may wait
 
-bool hidden(const std::string& name) { return name.find("/_") != std::string::npos; }
+std::vector<OfferedQos> profiles(const std::map<Gid, OfferedQos>& offered) {
+  std::vector<OfferedQos> list;
+  for (const auto& [writer, qos] : offered) list.push_back(qos);
+  // In an order that does not depend on the random part of DDS identifiers.
+  std::stable_sort(list.begin(), list.end(), [](const OfferedQos& a, const OfferedQos& b) {
+    const auto key = [](const OfferedQos& one) {
+      return std::tuple(one.qos.reliable, one.qos.transient_local, one.history_known, one.qos.depth);
+    };
+    return key(a) > key(b);
+  });
+  return list;
+}
 
 }  // namespace
 
@@ -22,65 +31,113 @@ struct Recorder::Inbox {
   Recorder* recorder;
 };
 
-Expected<std::unique_ptr<Recorder>> Recorder::create(Node& node, const RecorderOptions& options) {
-  std::error_code error;
-  const std::filesystem::path directory(options.directory);
-  if (std::filesystem::exists(directory, error)) {
-    return fail(Outcome::kInvalidRequest,
-                "the recording " + options.directory + " exists already; choose another name");
-  }
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    return fail(Outcome::kInvalidRequest, "cannot make " + options.directory + ": " + error.message());
-  auto writer = McapWriter::create((directory / kFileName).string());
-  if (!writer) return tl::unexpected(writer.error());
-  return std::unique_ptr<Recorder>(new Recorder(node, options, std::move(*writer)));
+Expected<std::unique_ptr<Recorder>> Recorder::create(Node& node, RecorderOptions options) {
+  options.bag.file.distro = node.context().distro();
+  auto bag = BagWriter::create(options.bag);
+  if (!bag) return tl::unexpected<Error>(std::move(bag.error()));
+  return std::unique_ptr<Recorder>(new Recorder(node, std::move(options), std::move(*bag)));
 }
 
-Recorder::Recorder(Node& node, const RecorderOptions& options, std::unique_ptr<McapWriter> writer)
-    : node_(node),
-      options_(options),
-      writer_(std::move(writer)),
-      inbox_(std::make_shared<Inbox>(Inbox{this})) {
+Recorder::Recorder(Node& node, RecorderOptions options, std::unique_ptr<BagWriter> bag)
+    : node_(node), options_(std::move(options)), bag_(std::move(bag)), inbox_(std::make_shared<Inbox>(Inbox{this})) {
   look_for_topics();
-  looker_ = Timer::create(node.loop(), wall_, std::chrono::milliseconds(100), [this] { look_for_topics(); });
-  flusher_ = Timer::create(node.loop(), wall_, std::chrono::milliseconds(500), [this] {
-    auto done = writer_->flush();
-    if (done) done = write_metadata();
-    if (!done) node_.log().error("{}", done.error().message);
+  if (options_.lockstep) node.context().participant()->written().on_local_writer([this] { look_for_topics(); });
+  Clock& clock = options_.lockstep ? node.clock() : wall_;
+  looker_ = Timer::create(node.loop(), clock, std::chrono::milliseconds(100), [this] { look_for_topics(); });
+  flusher_ = Timer::create(node.loop(), clock, std::chrono::milliseconds(500), [this] {
+    if (auto flushed = bag_->flush(); !flushed) end_on(flushed.error());
   });
 }
 
 Recorder::~Recorder() {
+  if (options_.lockstep) node_.context().participant()->written().on_local_writer({});
   static_cast<void>(close());
   channels_.clear();
   inbox_->recorder = nullptr;
 }
 
 void Recorder::look_for_topics() {
-  for (const auto& [dds_name, written] : node_.context().participant()->written_topics()) {
-    if (!dds_name.starts_with("rt/")) continue;
+  if (closed_) return;
+  for (const auto& [dds_name, writers] : node_.context().participant()->written().snapshot()) {
+    if (!dds_name.starts_with("rt/") || writers.empty()) continue;
     const std::string name = dds_name.substr(2);
-    const bool wanted = options_.topics.empty() ? !hidden(name)
-                                                : std::find(options_.topics.begin(), options_.topics.end(),
-                                                            name) != options_.topics.end();
-    if (!wanted || channels_.contains(name)) continue;
-    const idl::TypeSupport* support = idl::find_type_support(idl::ros_type_name(written.dds_type));
-    if (support == nullptr || std::string_view(support->description->encoding) != "msg") continue;
-    Qos qos = Qos::standard().keep_last(kDepth);
-    qos.reliable = written.reliable;
-    qos.transient_local = written.transient_local;
-    open_channel(name, *support, qos);
+    if (!options_.selection.selects(name) || !expand_name(name, "/", "x")) continue;
+    const auto known = channels_.find(name);
+    std::map<Gid, OfferedQos> offered;
+    if (known != channels_.end()) offered = known->second.offered;
+    const detail::TopicWriter& first = writers.begin()->second;
+    const std::string& dds_type = known != channels_.end() ? known->second.dds_type : first.dds_type;
+    bool second_type = false;
+    for (const auto& [gid, writer] : writers) {
+      if (writer.dds_type == dds_type) {
+        offered[gid] = writer.offered;
+      } else {
+        second_type = true;
+      }
+    }
+    Channel* channel = known != channels_.end() ? &known->second : open_channel(name, dds_type, first.type_hash, profiles(offered));
+    if (channel == nullptr) return;  // the recording has ended
+    if (second_type && !channel->warned) {
+      node_.log().warn("{} has publishers of several types; only those of {} are recorded", name, dds_type);
+      channel->warned = true;
+    }
+    if (offered == channel->offered && (known != channels_.end())) continue;
+    channel->offered = std::move(offered);
+    subscribe(name, *channel);
   }
 }
 
-void Recorder::open_channel(const std::string& name, const idl::TypeSupport& support, const Qos& qos) {
+Recorder::Channel* Recorder::open_channel(const std::string& name, const std::string& dds_type,
+                                          const std::string& hash, std::vector<OfferedQos> offered) {
+  BagTopic topic;
+  topic.name = name;
+  topic.type = idl::ros_type_name(dds_type);
+  topic.type_hash = hash;
+  topic.offered = std::move(offered);
   Channel& channel = channels_[name];
-  channel.topic = {name, support.ros_name, support.description->hash, qos, 0};
-  channel.id = writer_->add_channel(name, support.ros_name, idl::full_definition(*support.description),
-                                    qos_yaml(qos, node_.context().distro()), support.description->hash);
-  EndpointOptions endpoint = EndpointOptions::of(support, topic_to_dds(name), qos, node_.full_name());
-  endpoint.support = nullptr;  // payloads as they come
+  channel.dds_type = dds_type;
+  if (topic.type.empty()) {
+    node_.log().warn("{} is not recorded: {} is no type of ROS 2", name, dds_type);
+    return &channel;
+  }
+  const idl::TypeDescription* description = idl::find_type(topic.type);
+  if (description != nullptr && std::string_view(description->encoding) == "msg") {
+    topic.definition = idl::full_definition(*description);
+    if (topic.type_hash.empty()) topic.type_hash = description->hash;
+  } else {
+    node_.log().warn(
+        "{} has the type {}, whose definition is not known here: its messages are recorded without it (ros2 bag play "
+        "has its own; Foxglove cannot show them)",
+        name, topic.type);
+  }
+  auto added = bag_->add_topic(topic);
+  if (!added) {
+    end_on(added.error());
+    return nullptr;
+  }
+  channel.topic = *added;
+  return &channel;
+}
+
+void Recorder::subscribe(const std::string& name, Channel& channel) {
+  const std::string ros_type = idl::ros_type_name(channel.dds_type);
+  if (ros_type.empty()) return;
+  const std::vector<OfferedQos> offered = profiles(channel.offered);
+  bag_->set_offered(channel.topic, offered);
+  const Qos request = request_for(offered).keep_last(kDepth);
+  if (channel.reader != nullptr && request == channel.request) return;
+  if (channel.reader != nullptr) {
+    node_.log().warn("a publisher of {} offers less than those before; subscribed again with what all of them offer",
+                     name);
+    channel.reader.reset();
+  }
+  channel.request = request;
+  EndpointOptions endpoint;
+  endpoint.dds_topic = topic_to_dds(name);
+  endpoint.dds_type = channel.dds_type;
+  if (const auto* description = idl::find_type(ros_type)) endpoint.type_hash = description->hash;
+  endpoint.qos = request;
+  endpoint.node = node_.full_name();
   Reader::Callbacks callbacks;
   callbacks.on_payload = [name, &loop = node_.loop(), inbox = inbox_](std::vector<std::uint8_t> payload,
                                                                       const SampleInfo& info) {
@@ -96,49 +153,28 @@ void Recorder::open_channel(const std::string& name, const idl::TypeSupport& sup
   channel.reader = std::move(*reader);
 }
 
-void Recorder::on_payload(const std::string& name, std::vector<std::uint8_t> payload,
-                          const SampleInfo& info) {
+void Recorder::on_payload(const std::string& name, std::vector<std::uint8_t> payload, const SampleInfo& info) {
   if (closed_ || payload.size() < 4) return;
-  Channel& channel = channels_[name];
   const auto now = static_cast<std::uint64_t>(std::max<std::int64_t>(node_.now().nanoseconds, 0));
   const auto sent = static_cast<std::uint64_t>(std::max<std::int64_t>(info.source_timestamp, 0));
-  if (writer_->message_count() == 0) first_ = last_ = now;
-  first_ = std::min(first_, now);
-  last_ = std::max(last_, now);
-  ++channel.topic.message_count;
-  if (auto ok = writer_->write(channel.id, now, node_.clock().simulated() ? now : sent, payload); !ok) {
-    node_.log().error("{}; the recording ends here", ok.error().message);
-    static_cast<void>(close());
-  } else if (writer_->size() > options_.most_bytes) {
-    node_.log().warn("the recording reached {} bytes and ends here", options_.most_bytes);
-    static_cast<void>(close());
-  }
+  // DDS stamps with the wall clock, which means nothing in simulated time.
+  auto written = bag_->write(channels_[name].topic, now, node_.clock().simulated() ? now : sent, payload);
+  if (!written) end_on(written.error());
 }
 
-Expected<void> Recorder::write_metadata() {
-  BagSummary summary{kFileName, first_, last_ - first_, {}};
-  for (const auto& [name, channel] : channels_) summary.topics.push_back(channel.topic);
-  const auto path = std::filesystem::path(options_.directory) / "metadata.yaml";
-  const std::string fresh = path.string() + ".new";
-  {
-    std::ofstream file(fresh, std::ios::trunc);
-    file << bag_metadata(summary, node_.context().distro());
-    if (!file.flush()) return fail(Outcome::kInternal, "cannot write " + fresh);
-  }
-  std::error_code error;
-  std::filesystem::rename(fresh, path, error);  // readers see the old one or the new one, never half of it
-  if (error) return fail(Outcome::kInternal, "cannot write " + path.string() + ": " + error.message());
-  return {};
+void Recorder::end_on(const Error& error) {
+  node_.log().error("{}; the recording ends here", error.message);
+  static_cast<void>(close());
+  result_ = tl::unexpected(error);
 }
 
 Expected<void> Recorder::close() {
-  if (closed_) return {};
+  if (closed_) return result_;
   closed_ = true;
-  looker_->cancel();
-  flusher_->cancel();
-  auto done = writer_->close();
-  if (done) done = write_metadata();
-  return done;
+  if (looker_) looker_->cancel();
+  if (flusher_) flusher_->cancel();
+  result_ = bag_->close();
+  return result_;
 }
 
 }  // namespace goalnet::ros

@@ -1,63 +1,72 @@
-// Records topics into a rosbag2 directory (MCAP): `ros2 bag info`, `ros2 bag play` and Foxglove open it.
+// Records topics of any type into a rosbag2 directory: `ros2 bag info`, `ros2 bag play` and Foxglove open it.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "components/ros/bag/bag_metadata.h"
-#include "components/ros/bag/mcap_writer.h"
+#include "components/ros/bag/bag_writer.h"
+#include "components/ros/bag/offered_qos.h"
+#include "components/ros/bag/topic_selection.h"
 #include "components/ros/node.h"
 
 namespace goalnet::ros {
 
 struct RecorderOptions {
-  std::string directory;                  // must not exist yet
-  std::vector<std::string> topics;        // full names; empty: every topic of a known type, as it appears
-  std::uint64_t most_bytes = 4ull << 30;  // recording ends there
+  BagWriterOptions bag;  // its distribution is the context's
+  TopicSelection selection;
+  // For a simulation in lockstep, with all nodes in this thread: subscribes to each publisher of this process before
+  // it publishes anything, and flushes in simulated time. The same run is then recorded the same way each time.
+  bool lockstep = false;
 };
 
-// Runs in the node's loop, on the wall clock. What was recorded more than a second ago survives a crash.
-// Messages are stamped with the node's clock, so that a recording of a simulation plays in simulated time.
+// Runs in the node's loop. What was recorded more than a second ago survives a crash. Messages are stamped with the
+// node's clock, so that a recording of a simulation is in simulated time; in wall-clock time the moment of sending is
+// kept too. Subscribes as rosbag2 does: reliable, or transient local, only where all publishers of the topic are, and
+// weaker when a weaker one comes.
 class Recorder {
  public:
   // kInvalidRequest if the directory exists or cannot be made.
-  static Expected<std::unique_ptr<Recorder>> create(Node& node, const RecorderOptions& options);
+  static Expected<std::unique_ptr<Recorder>> create(Node& node, RecorderOptions options);
   ~Recorder();  // closes
   Recorder(const Recorder&) = delete;
 
-  // Subscribes to what appeared since the last call; also called ten times a second. Call it before the first
-  // message in a lockstep loop.
+  // Subscribes to what appeared since the last call; also called ten times a second.
   void look_for_topics();
-  // Ends the recording and writes the metadata. Safe to call twice.
+  // Ends the recording and completes the bag. Safe to call twice. Returns what went wrong first, if anything.
   Expected<void> close();
 
-  std::uint64_t message_count() const { return writer_->message_count(); }
+  std::uint64_t message_count() const { return bag_->message_count(); }
+  const BagMetadata& metadata() const { return bag_->metadata(); }
 
  private:
   struct Channel {
-    std::uint16_t id = 0;
-    BagTopic topic;
-    std::shared_ptr<Reader> reader;
+    std::size_t topic = 0;  // in the bag
+    std::string dds_type;
+    std::map<Gid, OfferedQos> offered;  // of all publishers seen
+    Qos request;
+    std::shared_ptr<Reader> reader;  // nullptr: not recorded
+    bool warned = false;             // of a second type
   };
   struct Inbox;  // what readers post, alive as long as any post waits
 
-  Recorder(Node& node, const RecorderOptions& options, std::unique_ptr<McapWriter> writer);
-  void open_channel(const std::string& name, const idl::TypeSupport& support, const Qos& qos);
+  Recorder(Node& node, RecorderOptions options, std::unique_ptr<BagWriter> bag);
+  Channel* open_channel(const std::string& name, const std::string& dds_type, const std::string& hash,
+                        std::vector<OfferedQos> offered);
+  void subscribe(const std::string& name, Channel& channel);
   void on_payload(const std::string& name, std::vector<std::uint8_t> payload, const SampleInfo& info);
-  Expected<void> write_metadata();
+  void end_on(const Error& error);
 
   Node& node_;
   RecorderOptions options_;
-  std::unique_ptr<McapWriter> writer_;
+  std::unique_ptr<BagWriter> bag_;
   Clock wall_;
   std::map<std::string, Channel> channels_;  // by ROS name
   std::shared_ptr<Inbox> inbox_;
   std::shared_ptr<Timer> looker_, flusher_;
-  std::uint64_t first_ = 0, last_ = 0;
   bool closed_ = false;
+  Expected<void> result_;
 };
 
 }  // namespace goalnet::ros

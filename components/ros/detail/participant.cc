@@ -194,25 +194,17 @@ void Participant::remove_endpoint(const Gid& gid) {
 
 void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipant*,
                                                             rtps::WriterDiscoveryInfo&& info) {
-  if (info.status != rtps::WriterDiscoveryInfo::DISCOVERED_WRITER) return;
-  participant.note_writer(info.info.topicName().to_string(), info.info.typeName().to_string(),
-                          info.info.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS,
-                          info.info.m_qos.m_durability.kind != dds::VOLATILE_DURABILITY_QOS);
-}
-
-void Participant::note_writer(const std::string& topic, const std::string& dds_type, bool reliable,
-                              bool transient_local) {
-  constexpr std::size_t kMostTopics = 10'000;  // what a hostile peer can make us remember
-  std::lock_guard lock(written_mutex_);
-  if (written_.size() >= kMostTopics && !written_.contains(topic)) return;
-  WrittenTopic& entry = written_.try_emplace(topic, WrittenTopic{dds_type, true, true}).first->second;
-  entry.reliable = entry.reliable && reliable;
-  entry.transient_local = entry.transient_local && transient_local;
-}
-
-std::map<std::string, WrittenTopic> Participant::written_topics() const {
-  std::lock_guard lock(written_mutex_);
-  return written_;
+  const std::string topic = info.info.topicName().to_string();
+  const Gid writer = to_gid(info.info.guid());
+  if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER) {
+    participant.written_.forget(topic, writer);
+    return;
+  }
+  const auto& data = info.info.m_qos.m_userData.data_vec();
+  const std::string user_data(data.begin(), data.end());
+  participant.written_.note(topic, writer,
+                            {info.info.typeName().to_string(), user_data_value(user_data, "typehash"),
+                             offered_qos(info.info.m_qos)});
 }
 
 Graph Participant::graph() const {

@@ -17,6 +17,7 @@
 #include "components/core/outcome.h"
 #include "components/ros/context.h"
 #include "components/ros/detail/graph.h"
+#include "components/ros/detail/written_topics.h"
 #include "components/ros/endpoint.h"
 
 namespace goalnet::ros::detail {
@@ -35,13 +36,6 @@ struct ParticipantSettings {
 
 // Options completed from the environment. kInvalidRequest names the variable that makes no sense.
 Expected<ParticipantSettings> read_settings(const ContextOptions& options);
-
-// A topic that somebody writes, here or elsewhere.
-struct WrittenTopic {
-  std::string dds_type;
-  bool reliable = true;         // all its writers are
-  bool transient_local = true;  // all its writers are
-};
 
 // Thread-safe.
 class Participant : public std::enable_shared_from_this<Participant> {
@@ -65,10 +59,8 @@ class Participant : public std::enable_shared_from_this<Participant> {
   void remove_endpoint(const Gid& gid);
   Graph graph() const;
 
-  // By DDS name; topics stay listed when their writers leave.
-  std::map<std::string, WrittenTopic> written_topics() const;
-  void note_writer(const std::string& topic, const std::string& dds_type, bool reliable,
-                   bool transient_local);
+  // Who writes what, of this process and of others.
+  WrittenTopics& written() { return written_; }
 
  private:
   // Hears of writers elsewhere.
@@ -95,8 +87,7 @@ class Participant : public std::enable_shared_from_this<Participant> {
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
   mutable std::mutex mutex_;
   DiscoveryListener listener_{*this};
-  mutable std::mutex written_mutex_;
-  std::map<std::string, WrittenTopic> written_;  // bounded
+  WrittenTopics written_;
   std::map<std::string, SharedTopic> topics_;
   std::unique_ptr<Graph> graph_;
   eprosima::fastdds::dds::DataWriter* graph_writer_ = nullptr;
@@ -112,5 +103,8 @@ std::string endpoint_user_data(Distro distro, const std::string& type_hash);
 // QoS of ROS endpoints in Fast DDS terms; data sharing off.
 eprosima::fastdds::dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data);
 eprosima::fastdds::dds::DataReaderQos reader_qos(const Qos& qos, const std::string& user_data);
+
+// What a discovered writer offers.
+OfferedQos offered_qos(const eprosima::fastdds::dds::WriterQos& qos);
 
 }  // namespace goalnet::ros::detail

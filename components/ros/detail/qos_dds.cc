@@ -11,6 +11,12 @@ eprosima::fastrtps::Duration_t to_duration(std::chrono::nanoseconds span) {
                                         static_cast<std::uint32_t>((span - seconds).count()));
 }
 
+// rmw's 0 for "infinite".
+std::chrono::nanoseconds to_nanoseconds(const eprosima::fastrtps::Duration_t& span) {
+  if (span == eprosima::fastrtps::c_TimeInfinite || span.seconds < 0) return std::chrono::nanoseconds(0);
+  return std::chrono::seconds(span.seconds) + std::chrono::nanoseconds(span.nanosec);
+}
+
 // What writers and readers have in common.
 template <class DdsQos>
 void fill(DdsQos& out, const Qos& qos, const std::string& user_data) {
@@ -64,6 +70,20 @@ dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data) {
 dds::DataReaderQos reader_qos(const Qos& qos, const std::string& user_data) {
   dds::DataReaderQos out;
   fill(out, qos, user_data);
+  return out;
+}
+
+OfferedQos offered_qos(const dds::WriterQos& qos) {
+  OfferedQos out;
+  out.qos.reliable = qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS;
+  out.qos.transient_local = qos.m_durability.kind != dds::VOLATILE_DURABILITY_QOS;
+  out.qos.depth = 0;
+  out.qos.lifespan = to_nanoseconds(qos.m_lifespan.duration);
+  out.qos.deadline = to_nanoseconds(qos.m_deadline.period);
+  out.liveliness = qos.m_liveliness.kind == dds::MANUAL_BY_PARTICIPANT_LIVELINESS_QOS ? 2
+                   : qos.m_liveliness.kind == dds::MANUAL_BY_TOPIC_LIVELINESS_QOS     ? 3
+                                                                                      : 1;
+  out.liveliness_lease = to_nanoseconds(qos.m_liveliness.lease_duration);
   return out;
 }
 

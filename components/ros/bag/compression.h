@@ -1,0 +1,20 @@
+// Compression of MCAP chunks: zstd and lz4 (frame format).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "components/core/outcome.h"
+
+namespace goalnet::ros {
+
+std::vector<std::uint8_t> compress_zstd(std::span<const std::uint8_t> bytes);
+
+// `name` is "", "zstd" or "lz4"; the result has exactly `size` bytes. kInvalidRequest for what does not decompress
+// to that.
+Expected<std::vector<std::uint8_t>> decompress(std::string_view name, std::span<const std::uint8_t> bytes,
+                                               std::size_t size);
+
+}  // namespace goalnet::ros

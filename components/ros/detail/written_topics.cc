@@ -1,0 +1,51 @@
+#include "components/ros/detail/written_topics.h"
+
+namespace goalnet::ros::detail {
+
+void WrittenTopics::note(const std::string& topic, const Gid& writer, TopicWriter what) {
+  constexpr std::size_t kMostWriters = 20'000;  // what hostile peers can make us remember
+  std::lock_guard lock(mutex_);
+  if (count_ >= kMostWriters) return;
+  if (topics_[topic].insert_or_assign(writer, std::move(what)).second) ++count_;
+}
+
+void WrittenTopics::forget(const std::string& topic, const Gid& writer) {
+  std::lock_guard lock(mutex_);
+  const auto found = topics_.find(topic);
+  if (found == topics_.end() || found->second.erase(writer) == 0) return;
+  --count_;
+  if (found->second.empty()) topics_.erase(found);
+}
+
+TopicWriters WrittenTopics::snapshot() const {
+  std::lock_guard lock(mutex_);
+  return topics_;
+}
+
+void WrittenTopics::on_local_writer(std::function<void()> callback) {
+  std::lock_guard lock(mutex_);
+  on_local_writer_ = std::move(callback);
+}
+
+void WrittenTopics::local_writer_made() const {
+  std::function<void()> callback;
+  {
+    std::lock_guard lock(mutex_);
+    callback = on_local_writer_;
+  }
+  if (callback) callback();
+}
+
+std::string user_data_value(const std::string& user_data, const std::string& key) {
+  std::size_t at = 0;
+  while (at < user_data.size()) {
+    const auto end = std::min(user_data.find(';', at), user_data.size());
+    if (user_data.compare(at, key.size() + 1, key + "=") == 0) {
+      return user_data.substr(at + key.size() + 1, end - at - key.size() - 1);
+    }
+    at = end + 1;
+  }
+  return "";
+}
+
+}  // namespace goalnet::ros::detail

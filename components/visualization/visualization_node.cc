@@ -1,0 +1,165 @@
+#include "components/visualization/visualization_node.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "components/messages/conversions.h"
+
+namespace goalnet::visualization {
+namespace {
+
+constexpr double kMoved = 0.001, kTurned = 0.01;      // [m, rad] smaller changes are not drawn
+constexpr std::size_t kMostTrajectoryPoints = 100'000;
+
+bool same_place(const Pose& a, const Pose& b) {
+  return (a.translation() - b.translation()).norm() < kMoved &&
+         Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear())) < kTurned;
+}
+
+bool same_places(const Poses& a, const Poses& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.first == other.first && same_place(one.second, other.second);
+  });
+}
+
+std::optional<Pose> from_message(const geometry_msgs::msg::Pose& message) {
+  const auto& q = message.orientation();
+  const Eigen::Quaterniond turn(q.w(), q.x(), q.y(), q.z());
+  Pose pose = Pose::Identity();
+  pose.translation() = Eigen::Vector3d(message.position().x(), message.position().y(), message.position().z());
+  if (!(std::abs(turn.norm() - 1.0) < 0.1) || !pose.translation().allFinite()) return std::nullopt;
+  pose.linear() = turn.normalized().toRotationMatrix();
+  return pose;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<VisualizationNode>> VisualizationNode::create(ros::Node& node) {
+  const auto file = [&](const char* name, const char* value, const char* description) {
+    return node.declare_parameter(name, value, {.description = description, .read_only = true});
+  };
+  const auto scene_name = file("scene", "kitchen", "scene: a name in config/scenes or a file");
+  if (!scene_name) return tl::unexpected(scene_name.error());
+  const auto robot_name = file("robot", "default", "robot: a name in config/robots or a file");
+  if (!robot_name) return tl::unexpected(robot_name.error());
+  const auto rate = node.declare_parameter<double>("rate", 10.0,
+                                                   {.description = "[Hz] how often markers are published at most",
+                                                    .read_only = true,
+                                                    .range = ros::ParameterRange{0.1, 100.0}});
+  if (!rate) return tl::unexpected(rate.error());
+  auto scene = scene::load_scene(*scene_name);
+  if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+  auto robot = robot::load_robot(*robot_name);
+  if (!robot) return tl::unexpected<Error>(std::move(robot.error()));
+  std::unique_ptr<VisualizationNode> made(new VisualizationNode(node, std::move(*scene), std::move(*robot)));
+  made->open_topics(*rate);
+  return made;
+}
+
+VisualizationNode::VisualizationNode(ros::Node& node, scene::Scene scene, robot::RobotModel robot)
+    : node_(node),
+      scene_(std::move(scene)),
+      robot_(std::move(robot)),
+      kinematics_(robot_),
+      joints_(robot_.home()) {}
+
+void VisualizationNode::open_topics(double rate) {
+  markers_ = node_.advertise<visualization_msgs::msg::MarkerArray>("markers", ros::Qos::latched());
+  const auto period = std::chrono::nanoseconds(std::llround(1e9 / rate));
+  timer_ = node_.create_timer(period, [this] { look(); });
+}
+
+void VisualizationNode::look() {
+  if (markers_->subscriber_count() == 0) return stop_listening();
+  if (object_poses_ == nullptr) listen();
+  if (changed_ && !poses_.empty()) publish();
+}
+
+void VisualizationNode::listen() {
+  const auto subscribe = [this]<class M>(const char* topic, const ros::Qos& qos,
+                                         void (VisualizationNode::*handle)(const M&)) {
+    return node_.subscribe<M>(topic, qos, [this, handle](const M& message) { (this->*handle)(message); });
+  };
+  changed_ = true;
+  object_poses_ = subscribe("object_poses", ros::Qos::standard(), &VisualizationNode::on_poses);
+  world_state_ = subscribe("world_state", ros::Qos::latched(), &VisualizationNode::on_world);
+  status_ = subscribe("instruction_status", ros::Qos::latched(), &VisualizationNode::on_status);
+  trajectory_ = subscribe("joint_trajectory", ros::Qos::standard(), &VisualizationNode::on_trajectory);
+  joint_states_ = subscribe("joint_states", ros::Qos::standard().keep_last(1), &VisualizationNode::on_joints);
+}
+
+void VisualizationNode::stop_listening() {
+  object_poses_.reset();
+  world_state_.reset();
+  status_.reset();
+  trajectory_.reset();
+  joint_states_.reset();
+  poses_.clear();
+  path_.clear();
+}
+
+void VisualizationNode::on_poses(const goalnet_msgs::msg::ObjectPoses& message) {
+  if (message.objects().size() > messages::kMaxObjects) return;
+  Poses poses;
+  for (const auto& object : message.objects()) {
+    const auto pose = from_message(object.pose());
+    if (pose && (scene_.find_object(object.name()) != nullptr || scene_.find_part(object.name())))
+      poses.insert_or_assign(object.name(), *pose);
+  }
+  if (same_places(poses, poses_)) return;
+  poses_ = std::move(poses);
+  seen_ = message.header().stamp();
+  changed_ = true;
+}
+
+void VisualizationNode::on_world(const goalnet_msgs::msg::WorldState& message) {
+  const auto world = messages::from_message(message);
+  if (!world || world->facts == facts_) return;
+  facts_ = world->facts;
+  changed_ = true;
+}
+
+void VisualizationNode::on_status(const goalnet_msgs::msg::InstructionStatus& message) {
+  if (message.positive().size() > messages::kMaxGoalSize || message.negative().size() > messages::kMaxGoalSize ||
+      message.plan().size() > messages::kMaxActions)
+    return;
+  task_ = {message.instruction(),
+           message.stage(),
+           message.message(),
+           {messages::from_message(message.positive()), messages::from_message(message.negative())},
+           messages::from_message(message.plan()),
+           messages::from_message(message.current_action()),
+           message.finished()};
+  if (task_.finished) path_.clear();
+  changed_ = true;
+}
+
+void VisualizationNode::on_trajectory(const trajectory_msgs::msg::JointTrajectory& message) {
+  if (message.points().size() > kMostTrajectoryPoints) return;
+  PlannedMotion motion{message.joint_names(), {}};
+  for (const auto& point : message.points()) motion.points.push_back(point.positions());
+  path_.clear();
+  draw_path(robot_, kinematics_, joints_, motion, path_);
+  changed_ = true;
+}
+
+void VisualizationNode::on_joints(const sensor_msgs::msg::JointState& message) {
+  if (message.name().size() != message.position().size()) return;
+  for (std::size_t i = 0; i < message.name().size(); ++i) {
+    const int index = robot_.index_of(message.name()[i]);
+    if (index >= 0 && std::isfinite(message.position()[i])) joints_[static_cast<std::size_t>(index)] = message.position()[i];
+  }
+}
+
+void VisualizationNode::publish() {
+  std::vector<Drawing> drawings;
+  draw_shapes(scene_, poses_, drawings);
+  draw_facts(scene_, poses_, facts_, drawings);
+  draw_task(scene_, poses_, facts_, task_, drawings);
+  drawings.insert(drawings.end(), path_.begin(), path_.end());
+  markers_->publish(writer_.write(drawings, seen_));
+  changed_ = false;
+}
+
+}  // namespace goalnet::visualization
