@@ -45,8 +45,8 @@ struct Qos {
 // What a publisher offers, as far as the graph shows it.
 struct OfferedQos {
   Qos qos;
-  bool history_known = false;  // DDS does not announce it: only known of publishers of this process
-  std::uint8_t liveliness = 1;                // rmw's numbers: 1 automatic, 2 by node, 3 by topic
+  bool history_known = false;   // DDS does not announce it: only known of publishers of this process
+  std::uint8_t liveliness = 1;  // rmw's numbers: 1 automatic, 2 by node, 3 by topic
   std::chrono::nanoseconds liveliness_lease{0};  // 0: infinite
 
   bool operator==(const OfferedQos&) const = default;

@@ -51,8 +51,9 @@ Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::P
     return fail(Outcome::kInternal, "Fast DDS cannot make a writer for " + options.dds_topic);
   }
   impl->gid = detail::to_gid(impl->writer->guid());
-  participant->written().note(options.dds_topic, impl->gid,
-                              {options.dds_type, options.type_hash, {.qos = options.qos, .history_known = true}});
+  participant->written().note(
+      options.dds_topic, impl->gid,
+      {options.dds_type, options.type_hash, {.qos = options.qos, .history_known = true}});
   participant->add_endpoint(options.node, impl->gid, true);
   participant->written().local_writer_made();
   return std::shared_ptr<Writer>(new Writer(std::move(impl)));

@@ -12,8 +12,9 @@
 
 namespace goalnet::visualization {
 
-// Every message has all that is there now (ADD) and names all that ever was and is not (DELETE): the topic is latched,
-// keeping the last message only, so that each one must be right for a viewer who saw none of those before.
+// Every message has all that is there now (ADD) and names all that ever was and is not (DELETE): the topic is
+// latched, keeping the last message only, so that each one must be right for a viewer who saw none of those
+// before.
 class MarkerWriter {
  public:
   visualization_msgs::msg::MarkerArray write(const std::vector<Drawing>& drawings,

@@ -6,10 +6,10 @@
 namespace goalnet::visualization {
 namespace {
 
-constexpr std::size_t kMostPoints = 200;    // of a line
-constexpr double kLeast = 0.02;             // [m] shorter ways are not drawn
-constexpr double kFloor = 0.02;             // [m] the base's way is drawn this much above the floor
-constexpr double kWidth = 0.012;            // [m]
+constexpr std::size_t kMostPoints = 200;  // of a line
+constexpr double kLeast = 0.02;           // [m] shorter ways are not drawn
+constexpr double kFloor = 0.02;           // [m] the base's way is drawn this much above the floor
+constexpr double kWidth = 0.012;          // [m]
 
 bool finite(const Eigen::Vector3d& point) { return point.allFinite() && point.norm() < 1e4; }
 
@@ -34,7 +34,8 @@ void draw_path(const robot::RobotModel& robot, const robot::Kinematics& kinemati
     const auto& point = motion.points[i + stride < motion.points.size() ? i : motion.points.size() - 1];
     if (point.size() != motion.joints.size()) return;
     for (std::size_t j = 0; j < point.size(); ++j) {
-      if (const int index = robot.index_of(motion.joints[j]); index >= 0) q[static_cast<std::size_t>(index)] = point[j];
+      if (const int index = robot.index_of(motion.joints[j]); index >= 0)
+        q[static_cast<std::size_t>(index)] = point[j];
     }
     kinematics.forward(q, poses);
     for (std::size_t k = 0; k < links.size(); ++k) {
@@ -52,7 +53,8 @@ void draw_path(const robot::RobotModel& robot, const robot::Kinematics& kinemati
     drawing.id = static_cast<std::int32_t>(k);
     drawing.kind = DrawingKind::kLine;
     drawing.size.x() = kWidth;
-    drawing.color = k == 0 ? std::array<float, 4>{0.1f, 0.5f, 1.0f, 0.9f} : std::array<float, 4>{0.9f, 0.2f, 0.8f, 0.9f};
+    drawing.color =
+        k == 0 ? std::array<float, 4>{0.1f, 0.5f, 1.0f, 0.9f} : std::array<float, 4>{0.9f, 0.2f, 0.8f, 0.9f};
     drawing.points = std::move(ways[k]);
     out.push_back(std::move(drawing));
   }

@@ -16,8 +16,9 @@ struct PlannedMotion {
   std::vector<std::vector<double>> points;
 };
 
-// Group "path": the way of the base on the floor (id 0) and of each hand (1, 2, ...), where they move by more than
-// 2 cm. `q`: where the other joints are, in the order of RobotModel::joints. The robot's root frame counts as map.
+// Group "path": the way of the base on the floor (id 0) and of each hand (1, 2, ...), where they move by more
+// than 2 cm. `q`: where the other joints are, in the order of RobotModel::joints. The robot's root frame
+// counts as map.
 void draw_path(const robot::RobotModel& robot, const robot::Kinematics& kinematics, std::vector<double> q,
                const PlannedMotion& motion, std::vector<Drawing>& out);
 

@@ -48,7 +48,8 @@ Eigen::Vector3d top_of(const std::vector<scene::Shape>& shapes, const Pose& owne
   const scene::Bounds box = scene::bounds(shapes);
   double highest = owner.translation().z();
   for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d point(corner & 1 ? box.upper.x() : box.lower.x(), corner & 2 ? box.upper.y() : box.lower.y(),
+    const Eigen::Vector3d point(corner & 1 ? box.upper.x() : box.lower.x(),
+                                corner & 2 ? box.upper.y() : box.lower.y(),
                                 corner & 4 ? box.upper.z() : box.lower.z());
     highest = std::max(highest, (owner * point).z());
   }
@@ -70,7 +71,8 @@ void draw_shapes(const scene::Scene& scene, const Poses& poses, std::vector<Draw
     draw_all(scene.model_of(object).shapes, find(poses, object.name), "objects", object_id, out);
 }
 
-bool place_above(const scene::Scene& scene, const Poses& poses, const std::string& name, Eigen::Vector3d& place) {
+bool place_above(const scene::Scene& scene, const Poses& poses, const std::string& name,
+                 Eigen::Vector3d& place) {
   if (const scene::ObjectModel* model = scene.find_model_of(name)) {
     const Pose* pose = find(poses, name);
     if (pose == nullptr) return false;

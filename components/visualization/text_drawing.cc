@@ -8,7 +8,7 @@ namespace {
 constexpr double kFactHeight = 0.035, kGoalHeight = 0.05, kTaskHeight = 0.09;  // [m] of a capital letter
 constexpr double kLine = 1.25;                                                 // lines are this much apart
 constexpr double kTaskPlace = 2.5;                                             // [m] above the floor
-constexpr std::size_t kLongestText = 2000;                                     // what a hostile message can make us draw
+constexpr std::size_t kLongestText = 2000;  // what a hostile message can make us draw
 
 constexpr std::array<float, 4> kFactColor = {1.0f, 1.0f, 1.0f, 0.9f};
 constexpr std::array<float, 4> kReached = {0.2f, 0.9f, 0.3f, 1.0f};
@@ -26,14 +26,16 @@ std::string short_text(const Predicate& fact) {
 }
 
 // Viewers centre a text on its position; it is to stand on `foot`.
-Drawing text_at(const Eigen::Vector3d& foot, double height, const std::array<float, 4>& color, std::string text) {
+Drawing text_at(const Eigen::Vector3d& foot, double height, const std::array<float, 4>& color,
+                std::string text) {
   if (text.size() > kLongestText) text.resize(kLongestText);
   const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
   Drawing drawing;
   drawing.kind = DrawingKind::kText;
   drawing.size.z() = height;
   drawing.color = color;
-  drawing.pose.translation() = foot + Eigen::Vector3d(0, 0, height * (0.5 + 0.5 * kLine * static_cast<double>(lines)));
+  drawing.pose.translation() =
+      foot + Eigen::Vector3d(0, 0, height * (0.5 + 0.5 * kLine * static_cast<double>(lines)));
   drawing.text = std::move(text);
   return drawing;
 }
@@ -54,14 +56,16 @@ std::string task_text(const FactSet& facts, const Task& task) {
   std::string text = task.instruction.empty() ? "" : "\"" + task.instruction + "\"\n";
   text += task.stage;
   if (task.finished && !task.message.empty()) text += ": " + task.message;
-  for (const Action& action : task.plan) text += (action == task.current ? "\n> " : "\n  ") + to_string(action);
+  for (const Action& action : task.plan)
+    text += (action == task.current ? "\n> " : "\n  ") + to_string(action);
   if (const std::string robot = lines_about("Robot", facts); !robot.empty()) text += "\nRobot: " + robot;
   return text;
 }
 
 }  // namespace
 
-void draw_facts(const scene::Scene& scene, const Poses& poses, const FactSet& facts, std::vector<Drawing>& out) {
+void draw_facts(const scene::Scene& scene, const Poses& poses, const FactSet& facts,
+                std::vector<Drawing>& out) {
   for (std::size_t i = 0; i < scene.symbols.size(); ++i) {
     const std::string& name = scene.symbols[i];
     Eigen::Vector3d place;
@@ -96,8 +100,8 @@ void draw_task(const scene::Scene& scene, const Poses& poses, const FactSet& fac
   for (const Predicate& predicate : task.goal.negative) draw_goal(predicate, false);
   const std::string text = task_text(facts, task);
   if (text.empty()) return;
-  const Eigen::Vector3d middle(0.5 * (scene.floor_x_min + scene.floor_x_max), 0.5 * (scene.floor_y_min + scene.floor_y_max),
-                               kTaskPlace);
+  const Eigen::Vector3d middle(0.5 * (scene.floor_x_min + scene.floor_x_max),
+                               0.5 * (scene.floor_y_min + scene.floor_y_max), kTaskPlace);
   Drawing drawing = text_at(middle, kTaskHeight, kTaskColor, text);
   drawing.group = "task";
   drawing.id = 0;

@@ -20,12 +20,13 @@ struct Task {
   bool finished = false;
 };
 
-// Group "facts": above each thing what holds for it ("On Sink"), an id for each symbol of the scene; Near and the
-// properties that never change are left out. What holds for the robot is written beside the task.
-void draw_facts(const scene::Scene& scene, const Poses& poses, const FactSet& facts, std::vector<Drawing>& out);
+// Group "facts": above each thing what holds for it ("On Sink"), an id for each symbol of the scene; Near and
+// the properties that never change are left out. What holds for the robot is written beside the task.
+void draw_facts(const scene::Scene& scene, const Poses& poses, const FactSet& facts,
+                std::vector<Drawing>& out);
 
-// Group "goals": above its subject each goal predicate, green where it holds already, else orange; an id for each
-// place in positive, then negative. Group "task", id 0: instruction, stage and plan, above the room.
+// Group "goals": above its subject each goal predicate, green where it holds already, else orange; an id for
+// each place in positive, then negative. Group "task", id 0: instruction, stage and plan, above the room.
 void draw_task(const scene::Scene& scene, const Poses& poses, const FactSet& facts, const Task& task,
                std::vector<Drawing>& out);
 

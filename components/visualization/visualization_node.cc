@@ -9,7 +9,7 @@
 namespace goalnet::visualization {
 namespace {
 
-constexpr double kMoved = 0.001, kTurned = 0.01;      // [m, rad] smaller changes are not drawn
+constexpr double kMoved = 0.001, kTurned = 0.01;  // [m, rad] smaller changes are not drawn
 constexpr std::size_t kMostTrajectoryPoints = 100'000;
 
 bool same_place(const Pose& a, const Pose& b) {
@@ -27,7 +27,8 @@ std::optional<Pose> from_message(const geometry_msgs::msg::Pose& message) {
   const auto& q = message.orientation();
   const Eigen::Quaterniond turn(q.w(), q.x(), q.y(), q.z());
   Pose pose = Pose::Identity();
-  pose.translation() = Eigen::Vector3d(message.position().x(), message.position().y(), message.position().z());
+  pose.translation() =
+      Eigen::Vector3d(message.position().x(), message.position().y(), message.position().z());
   if (!(std::abs(turn.norm() - 1.0) < 0.1) || !pose.translation().allFinite()) return std::nullopt;
   pose.linear() = turn.normalized().toRotationMatrix();
   return pose;
@@ -43,10 +44,11 @@ Expected<std::unique_ptr<VisualizationNode>> VisualizationNode::create(ros::Node
   if (!scene_name) return tl::unexpected(scene_name.error());
   const auto robot_name = file("robot", "default", "robot: a name in config/robots or a file");
   if (!robot_name) return tl::unexpected(robot_name.error());
-  const auto rate = node.declare_parameter<double>("rate", 10.0,
-                                                   {.description = "[Hz] how often markers are published at most",
-                                                    .read_only = true,
-                                                    .range = ros::ParameterRange{0.1, 100.0}});
+  const auto rate =
+      node.declare_parameter<double>("rate", 10.0,
+                                     {.description = "[Hz] how often markers are published at most",
+                                      .read_only = true,
+                                      .range = ros::ParameterRange{0.1, 100.0}});
   if (!rate) return tl::unexpected(rate.error());
   auto scene = scene::load_scene(*scene_name);
   if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
@@ -64,36 +66,36 @@ VisualizationNode::VisualizationNode(ros::Node& node, scene::Scene scene, robot:
       kinematics_(robot_),
       joints_(robot_.home()) {}
 
+// What comes seldom, and what is latched, is always listened to: what was latched before a reader exists
+// reaches it some time later, from a DDS thread, and in lockstep nothing may depend on when.
 void VisualizationNode::open_topics(double rate) {
   markers_ = node_.advertise<visualization_msgs::msg::MarkerArray>("markers", ros::Qos::latched());
+  world_state_ = node_.subscribe<goalnet_msgs::msg::WorldState>(
+      "world_state", ros::Qos::latched(), [this](const auto& message) { on_world(message); });
+  status_ = node_.subscribe<goalnet_msgs::msg::InstructionStatus>(
+      "instruction_status", ros::Qos::latched(), [this](const auto& message) { on_status(message); });
+  trajectory_ = node_.subscribe<trajectory_msgs::msg::JointTrajectory>(
+      "joint_trajectory", ros::Qos::standard(), [this](const auto& message) { on_trajectory(message); });
   const auto period = std::chrono::nanoseconds(std::llround(1e9 / rate));
   timer_ = node_.create_timer(period, [this] { look(); });
 }
 
 void VisualizationNode::look() {
-  if (markers_->subscriber_count() == 0) return stop_listening();
-  if (object_poses_ == nullptr) listen();
+  if (markers_->subscriber_count() == 0) return stop_watching();
+  if (!watched()) start_watching();
   if (changed_ && !poses_.empty()) publish();
 }
 
-void VisualizationNode::listen() {
-  const auto subscribe = [this]<class M>(const char* topic, const ros::Qos& qos,
-                                         void (VisualizationNode::*handle)(const M&)) {
-    return node_.subscribe<M>(topic, qos, [this, handle](const M& message) { (this->*handle)(message); });
-  };
+void VisualizationNode::start_watching() {
   changed_ = true;
-  object_poses_ = subscribe("object_poses", ros::Qos::standard(), &VisualizationNode::on_poses);
-  world_state_ = subscribe("world_state", ros::Qos::latched(), &VisualizationNode::on_world);
-  status_ = subscribe("instruction_status", ros::Qos::latched(), &VisualizationNode::on_status);
-  trajectory_ = subscribe("joint_trajectory", ros::Qos::standard(), &VisualizationNode::on_trajectory);
-  joint_states_ = subscribe("joint_states", ros::Qos::standard().keep_last(1), &VisualizationNode::on_joints);
+  object_poses_ = node_.subscribe<goalnet_msgs::msg::ObjectPoses>(
+      "object_poses", ros::Qos::standard().keep_last(1), [this](const auto& message) { on_poses(message); });
+  joint_states_ = node_.subscribe<sensor_msgs::msg::JointState>(
+      "joint_states", ros::Qos::standard().keep_last(1), [this](const auto& message) { on_joints(message); });
 }
 
-void VisualizationNode::stop_listening() {
+void VisualizationNode::stop_watching() {
   object_poses_.reset();
-  world_state_.reset();
-  status_.reset();
-  trajectory_.reset();
   joint_states_.reset();
   poses_.clear();
   path_.clear();
@@ -121,8 +123,8 @@ void VisualizationNode::on_world(const goalnet_msgs::msg::WorldState& message) {
 }
 
 void VisualizationNode::on_status(const goalnet_msgs::msg::InstructionStatus& message) {
-  if (message.positive().size() > messages::kMaxGoalSize || message.negative().size() > messages::kMaxGoalSize ||
-      message.plan().size() > messages::kMaxActions)
+  if (message.positive().size() > messages::kMaxGoalSize ||
+      message.negative().size() > messages::kMaxGoalSize || message.plan().size() > messages::kMaxActions)
     return;
   task_ = {message.instruction(),
            message.stage(),
@@ -136,7 +138,7 @@ void VisualizationNode::on_status(const goalnet_msgs::msg::InstructionStatus& me
 }
 
 void VisualizationNode::on_trajectory(const trajectory_msgs::msg::JointTrajectory& message) {
-  if (message.points().size() > kMostTrajectoryPoints) return;
+  if (!watched() || message.points().size() > kMostTrajectoryPoints) return;
   PlannedMotion motion{message.joint_names(), {}};
   for (const auto& point : message.points()) motion.points.push_back(point.positions());
   path_.clear();
@@ -148,7 +150,8 @@ void VisualizationNode::on_joints(const sensor_msgs::msg::JointState& message) {
   if (message.name().size() != message.position().size()) return;
   for (std::size_t i = 0; i < message.name().size(); ++i) {
     const int index = robot_.index_of(message.name()[i]);
-    if (index >= 0 && std::isfinite(message.position()[i])) joints_[static_cast<std::size_t>(index)] = message.position()[i];
+    if (index >= 0 && std::isfinite(message.position()[i]))
+      joints_[static_cast<std::size_t>(index)] = message.position()[i];
   }
 }
 

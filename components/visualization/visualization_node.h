@@ -1,20 +1,23 @@
 // Draws what the robot knows and intends, for RViz, as a ROS 2 node.
 //
-// In:  object_poses (goalnet_msgs/ObjectPoses), world_state (goalnet_msgs/WorldState, latched), instruction_status
-//      (goalnet_msgs/InstructionStatus, latched), joint_trajectory (trajectory_msgs/JointTrajectory), joint_states
-//      (sensor_msgs/JointState).
-// Out: markers (visualization_msgs/MarkerArray, latched), when something changed, at most `rate` times a second.
+// In:  object_poses (goalnet_msgs/ObjectPoses), world_state (goalnet_msgs/WorldState, latched),
+// instruction_status
+//      (goalnet_msgs/InstructionStatus, latched), joint_trajectory (trajectory_msgs/JointTrajectory),
+//      joint_states (sensor_msgs/JointState).
+// Out: markers (visualization_msgs/MarkerArray, latched), when something changed, at most `rate` times a
+// second.
 //      header.stamp is the moment at which the objects were seen there; header.frame_id is map.
-// It only listens, and only draws, while somebody subscribes to markers: who joins gets a picture within a period.
+// It only draws, and only listens to poses and joints, while somebody subscribes to markers: who joins gets a
+// picture within a period.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "components/ros/node.h"
 #include "components/robot/kinematics.h"
 #include "components/robot/robot_model.h"
+#include "components/ros/node.h"
 #include "components/scene/scene.h"
 #include "components/visualization/marker_message.h"
 #include "components/visualization/path_drawing.h"
@@ -36,8 +39,9 @@ class VisualizationNode : public ros::Component {
  private:
   VisualizationNode(ros::Node& node, scene::Scene scene, robot::RobotModel robot);
   void open_topics(double rate);
-  void listen();
-  void stop_listening();
+  bool watched() const { return object_poses_ != nullptr; }
+  void start_watching();
+  void stop_watching();
   void on_poses(const goalnet_msgs::msg::ObjectPoses& message);
   void on_world(const goalnet_msgs::msg::WorldState& message);
   void on_status(const goalnet_msgs::msg::InstructionStatus& message);
@@ -62,11 +66,11 @@ class VisualizationNode : public ros::Component {
 
   std::shared_ptr<ros::Publisher<visualization_msgs::msg::MarkerArray>> markers_;
   std::shared_ptr<ros::Timer> timer_;
-  // Only while somebody watches.
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ObjectPoses>> object_poses_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::InstructionStatus>> status_;
   std::shared_ptr<ros::Subscription<trajectory_msgs::msg::JointTrajectory>> trajectory_;
+  // Only while somebody watches.
+  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ObjectPoses>> object_poses_;
   std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joint_states_;
 };
 

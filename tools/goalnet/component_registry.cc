@@ -30,7 +30,8 @@ constexpr ComponentKind kKinds[] = {
     {"planner", "goal predicates to a plan", create<planner::PlannerNode>},
     {"manipulation", "symbolic actions to trajectories", create<manipulation::ManipulationNode>},
     {"coordinator", "the loop: infer, plan, act, observe", create<coordinator::CoordinatorNode>},
-    {"visualization", "markers of objects, facts, goal and path for RViz", create<visualization::VisualizationNode>},
+    {"visualization", "markers of objects, facts, goal and path for RViz",
+     create<visualization::VisualizationNode>},
 };
 
 }  // namespace

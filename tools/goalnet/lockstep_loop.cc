@@ -22,6 +22,9 @@
 namespace goalnet::tools {
 namespace {
 
+// [s] simulated: how much longer a recording goes on, so that what follows from the end is in it, too.
+constexpr double kEpilogue = 0.3;
+
 // Behind the robot and to its left, above its head: shows what its hands do wherever it stands.
 sim::Camera over_the_shoulder(const sim::World& world) {
   const scene::Pose base = world.robot_link_pose("base_link");
@@ -190,7 +193,8 @@ Expected<std::unique_ptr<LockstepLoop>> LockstepLoop::create(const LoopOptions& 
   if (!context) return tl::unexpected<Error>(std::move(context.error()));
   impl->context = std::move(*context);
   impl->events = std::move(events);
-  if (auto added = impl->add_recorder(options); !added) return tl::unexpected<Error>(std::move(added.error()));
+  if (auto added = impl->add_recorder(options); !added)
+    return tl::unexpected<Error>(std::move(added.error()));
   if (auto added = impl->add_components(options); !added)
     return tl::unexpected<Error>(std::move(added.error()));
   if (auto added = impl->add_observer(options); !added)
@@ -239,9 +243,12 @@ Expected<void> LockstepLoop::picture(const std::string& path) const {
 }
 
 Expected<void> LockstepLoop::finish_recording() {
+  if (impl_->recorder == nullptr) return {};
+  const double end = sim_time() + kEpilogue;
+  while (sim_time() < end) step();
   while (impl_->loop.run_pending()) {
   }
-  return impl_->recorder != nullptr ? impl_->recorder->close() : Expected<void>();
+  return impl_->recorder->close();
 }
 
 double LockstepLoop::sim_time() const { return impl_->observer->now().seconds(); }

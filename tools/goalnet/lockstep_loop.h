@@ -29,9 +29,9 @@ struct LoopOptions {
   double instruction_timeout = 0.0;  // [s] simulated; 0: the coordinator's default
   bool console = false;              // components log to standard error, too (always to /rosout)
   bool process_only = false;         // invisible to other processes
-  std::string record;                // directory of a bag to record everything into, in simulated time; empty: none
+  std::string record;  // directory of a bag to record everything into, in simulated time; empty: none
   std::string record_storage = "mcap";  // or sqlite3
-  ros::Arguments arguments;          // given by a person; win over all of the above
+  ros::Arguments arguments;             // given by a person; win over all of the above
 };
 
 // What is seen on the topics, in order of arrival. Called between simulation steps.
@@ -62,7 +62,8 @@ class LockstepLoop {
   // Writes a picture (PNG) of the room as it is now; takes about a second.
   Expected<void> picture(const std::string& path) const;
 
-  // Completes the bag, if one is recorded; nothing more goes into it. What went wrong, if anything did.
+  // Completes the bag, if one is recorded, after a few more steps; nothing more goes into it then. Returns
+  // what went wrong, if anything did.
   Expected<void> finish_recording();
 
   // [s] since the simulation began.

@@ -23,7 +23,8 @@ constexpr Command kCommands[] = {
     {"infer", "infer the goal of an instruction in a given world state", infer_command},
     {"eval", "score a model on a folder of demonstrations", eval_command},
     {"train", "learn a model from demonstrations", nullptr, "goalnet-train"},
-    {"ablate", "train and score the paper's network without each of its parts (needs libtorch)", nullptr, "goalnet-train"},
+    {"ablate", "train and score the paper's network without each of its parts (needs libtorch)", nullptr,
+     "goalnet-train"},
     {"bench", "measure speed: inference, planning, motion, real-time factor, jitter", nullptr,
      "goalnet-robot"},
 };

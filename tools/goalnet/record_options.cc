@@ -14,7 +14,8 @@ constexpr const char* kRecordFooter =
     "  goalnet record -o bag --storage sqlite3 /world_state /tf\n"
     "  goalnet record --repair bag                      after a crash of the recorder\n"
     "\n"
-    "\"ros2 bag info\", \"ros2 bag play\" and Foxglove open the result. GOALNET_ROS_DISTRO=humble writes what Humble "
+    "\"ros2 bag info\", \"ros2 bag play\" and Foxglove open the result. GOALNET_ROS_DISTRO=humble writes "
+    "what Humble "
     "reads.";
 
 constexpr const char* kReplayFooter =
@@ -41,7 +42,8 @@ Expected<bool> parse(CLI::App& app, int argc, char** argv, std::vector<std::stri
     app.parse(static_cast<int>(ros - argv), argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
-      return fail(Outcome::kInvalidRequest, std::string(error.what()) + "; \"" + app.get_name() + " --help\" tells more");
+      return fail(Outcome::kInvalidRequest,
+                  std::string(error.what()) + "; \"" + app.get_name() + " --help\" tells more");
     }
     app.exit(error);
     return true;
@@ -70,7 +72,8 @@ Expected<ParsedRecord> parse_record_options(int argc, char** argv) {
   app.add_option("--compression", compression, "none or zstd (MCAP only)")
       ->check(CLI::IsMember({"none", "zstd"}))
       ->capture_default_str();
-  app.add_option("-b,--max-bag-size", parsed.options.bag.split_bytes, "Begin a new file at this size [bytes; 0: never]");
+  app.add_option("-b,--max-bag-size", parsed.options.bag.split_bytes,
+                 "Begin a new file at this size [bytes; 0: never]");
   app.add_option("-d,--max-bag-duration", most_seconds, "Begin a new file after this time [s; 0: never]")
       ->check(CLI::Range(0.0, 1e9));
   app.add_option("--repair", parsed.repair, "Make this directory whole instead, whose recorder was killed");
@@ -94,17 +97,22 @@ Expected<ParsedRecord> parse_record_options(int argc, char** argv) {
 
 Expected<ParsedReplay> parse_replay_options(int argc, char** argv) {
   ParsedReplay parsed;
-  CLI::App app{"Publishes what a bag holds (MCAP or SQLite, from any recorder), with its types and quality of service."};
+  CLI::App app{
+      "Publishes what a bag holds (MCAP or SQLite, from any recorder), with its types and quality of "
+      "service."};
   app.name("goalnet replay");
   app.footer(kReplayFooter);
   ros::TopicSelection::Options selection;
   double delay = 0.5;
   app.add_option("bag", parsed.bag, "The bag's directory, or its .mcap or .db3 file")->required();
-  app.add_option("-r,--rate", parsed.options.rate, "Times as fast as recorded")->capture_default_str()->check(CLI::Range(1e-3, 1e6));
+  app.add_option("-r,--rate", parsed.options.rate, "Times as fast as recorded")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--topics", selection.topics, "Only these [all]");
   app.add_option("-e,--regex", selection.regex, "Only those in whose names this is found");
   app.add_option("-x,--exclude", selection.exclude, "None in whose names this is found");
-  app.add_option("--clock", parsed.options.clock_hz, "Publish /clock in the recording's time, so often in a second [40]")
+  app.add_option("--clock", parsed.options.clock_hz,
+                 "Publish /clock in the recording's time, so often in a second [40]")
       ->expected(0, 1)
       ->default_str("40")
       ->check(CLI::Range(0.1, 1000.0));

@@ -13,7 +13,7 @@ namespace goalnet::tools {
 
 struct ParsedRecord {
   ros::RecorderOptions options;
-  std::string repair;  // a directory: nothing is recorded, this is made whole
+  std::string repair;                      // a directory: nothing is recorded, this is made whole
   std::vector<std::string> ros_arguments;  // after --ros-args
   bool help_shown = false;
 };

@@ -117,10 +117,10 @@ class Run {
       last.message = "interrupted; the robot had not come to rest";
       record_.on_status(last);
     }
+    tell(last);
     if (const auto recorded = loop_->finish_recording(); !recorded) {
       std::cerr << "goalnet run: " << recorded.error().message << "; the recording is not complete\n";
     }
-    tell(last);
     return static_cast<int>(last.outcome);
   }
 

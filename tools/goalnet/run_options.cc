@@ -61,8 +61,9 @@ ParsedRun parse_run_options(int argc, char** argv) {
   app.add_option("--max-sim-time", options.max_sim_time, "Simulated seconds before giving up [1800]")
       ->check(CLI::Range(0.1, 1e6));
   app.add_option("--render", options.render, "Folder for a picture (PNG) after each action; about 1 s each");
-  app.add_option("--record", options.record,
-                 "Directory to record all topics into, stamped in simulated time (goalnet replay, ros2 bag, Foxglove)");
+  app.add_option(
+      "--record", options.record,
+      "Directory to record all topics into, stamped in simulated time (goalnet replay, ros2 bag, Foxglove)");
   app.add_option("--record-storage", options.record_storage, "mcap or sqlite3")
       ->check(CLI::IsMember({"mcap", "sqlite3"}))
       ->capture_default_str();

@@ -18,9 +18,9 @@ struct RunOptions {
   std::string robot;              // a file; empty: config/robots/default.yaml
   std::string model;              // a file; empty: config/models/goalnet.safetensors
   std::uint64_t seed = 1;
-  std::uint32_t max_steps = 0;  // 0: the coordinator's parameter
-  double max_sim_time = 0.0;    // [s] 0: the coordinator's parameter
-  std::string render;           // folder for a picture after each action; empty: none
+  std::uint32_t max_steps = 0;          // 0: the coordinator's parameter
+  double max_sim_time = 0.0;            // [s] 0: the coordinator's parameter
+  std::string render;                   // folder for a picture after each action; empty: none
   std::string record;                   // directory of a bag of everything; empty: none
   std::string record_storage = "mcap";  // or sqlite3
   bool json = false;

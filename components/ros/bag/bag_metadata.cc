@@ -45,9 +45,9 @@ std::string indented(const std::string& text, std::size_t by) {
 }
 
 std::string topic_yaml(const BagTopic& topic, Distro distro) {
-  std::string out = fmt::format(
-      "  - topic_metadata:\n      name: {}\n      type: {}\n      serialization_format: {}\n", scalar(topic.name),
-      scalar(topic.type), scalar(topic.serialization_format));
+  std::string out =
+      fmt::format("  - topic_metadata:\n      name: {}\n      type: {}\n      serialization_format: {}\n",
+                  scalar(topic.name), scalar(topic.type), scalar(topic.serialization_format));
   const std::string qos = offered_qos_yaml(topic.offered, distro);
   if (distro == Distro::kJazzy) {
     out += "      offered_qos_profiles:" + (topic.offered.empty() ? " []\n" : "\n" + indented(qos, 8));
@@ -78,7 +78,8 @@ BagTopic parse_topic(const YAML::Node& node) {
   if (const YAML::Node qos = about["offered_qos_profiles"]) {
     // A list in version 9, a text with a list in it before.
     auto offered = parse_offered_qos(qos.IsScalar() ? qos.as<std::string>() : YAML::Dump(qos));
-    if (!offered) throw YAML::Exception(qos.Mark(), topic.name.substr(0, 80) + ": " + offered.error().message);
+    if (!offered)
+      throw YAML::Exception(qos.Mark(), topic.name.substr(0, 80) + ": " + offered.error().message);
     topic.offered = std::move(*offered);
   }
   return topic;
@@ -86,18 +87,21 @@ BagTopic parse_topic(const YAML::Node& node) {
 
 // A metadata file may only name files of its own directory.
 bool inside(const std::string& path) {
-  return !path.empty() && path[0] != '/' && path.find("..") == std::string::npos && path.find('\0') == std::string::npos;
+  return !path.empty() && path[0] != '/' && path.find("..") == std::string::npos &&
+         path.find('\0') == std::string::npos;
 }
 
 BagMetadata parse(const YAML::Node& info) {
   BagMetadata metadata;
   if (const int version = info["version"].as<int>(); version < 1 || version > 9) {
-    throw YAML::Exception(info["version"].Mark(), fmt::format("version {} is unknown (1 to 9 are read)", version));
+    throw YAML::Exception(info["version"].Mark(),
+                          fmt::format("version {} is unknown (1 to 9 are read)", version));
   }
   auto storage = parse_bag_storage(info["storage_identifier"].as<std::string>());
   if (!storage) throw YAML::Exception(info["storage_identifier"].Mark(), storage.error().message);
   metadata.storage = *storage;
-  const YAML::Node topics = info["topics_with_message_count"], files = info["files"], paths = info["relative_file_paths"];
+  const YAML::Node topics = info["topics_with_message_count"], files = info["files"],
+                   paths = info["relative_file_paths"];
   if (topics.size() > kMostTopics || files.size() > kMostFiles || paths.size() > kMostFiles) {
     throw YAML::Exception(info.Mark(), "it lists more topics or files than anybody records");
   }
@@ -119,12 +123,14 @@ BagMetadata parse(const YAML::Node& info) {
 Expected<BagStorage> parse_bag_storage(std::string_view name) {
   if (name == "mcap") return BagStorage::kMcap;
   if (name == "sqlite3") return BagStorage::kSqlite;
-  return fail(Outcome::kInvalidRequest,
-              "there is no bag storage \"" + std::string(name.substr(0, 40)) + "\"; there are mcap and sqlite3");
+  return fail(Outcome::kInvalidRequest, "there is no bag storage \"" + std::string(name.substr(0, 40)) +
+                                            "\"; there are mcap and sqlite3");
 }
 
 std::string_view to_string(BagStorage storage) { return storage == BagStorage::kMcap ? "mcap" : "sqlite3"; }
-std::string_view bag_file_extension(BagStorage storage) { return storage == BagStorage::kMcap ? ".mcap" : ".db3"; }
+std::string_view bag_file_extension(BagStorage storage) {
+  return storage == BagStorage::kMcap ? ".mcap" : ".db3";
+}
 
 std::uint64_t BagMetadata::start() const {
   std::uint64_t earliest = kNoStart;
@@ -151,7 +157,8 @@ std::string embedded_metadata_yaml(const BagMetadata& metadata, Distro distro) {
   std::string out = fmt::format(
       "version: {}\nstorage_identifier: {}\nduration:\n  nanoseconds: {}\nstarting_time:\n  "
       "nanoseconds_since_epoch: {}\nmessage_count: {}\ntopics_with_message_count:\n",
-      jazzy ? 9 : 5, to_string(metadata.storage), metadata.duration(), metadata.start(), metadata.message_count());
+      jazzy ? 9 : 5, to_string(metadata.storage), metadata.duration(), metadata.start(),
+      metadata.message_count());
   if (metadata.topics.empty()) out += "  []\n";
   for (const BagTopic& topic : metadata.topics) out += topic_yaml(topic, distro);
   out += fmt::format("compression_format: \"{}\"\ncompression_mode: \"{}\"\nrelative_file_paths:\n",
@@ -160,7 +167,8 @@ std::string embedded_metadata_yaml(const BagMetadata& metadata, Distro distro) {
   out += "files:\n";
   for (const BagFile& file : metadata.files) {
     out += fmt::format(
-        "  - path: {}\n    starting_time:\n      nanoseconds_since_epoch: {}\n    duration:\n      nanoseconds: "
+        "  - path: {}\n    starting_time:\n      nanoseconds_since_epoch: {}\n    duration:\n      "
+        "nanoseconds: "
         "{}\n    message_count: {}\n",
         scalar(file.path), file.start, file.duration, file.message_count);
   }

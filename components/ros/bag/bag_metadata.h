@@ -32,7 +32,8 @@ struct BagMetadata {
   BagStorage storage = BagStorage::kMcap;
   std::vector<BagFile> files;
   std::vector<BagTopic> topics;  // definitions are not part of the file
-  std::string compression_format, compression_mode;  // rosbag2's own, of whole files or messages; usually none
+  std::string compression_format,
+      compression_mode;  // rosbag2's own, of whole files or messages; usually none
 
   std::uint64_t start() const;     // [ns] earliest of all files
   std::uint64_t duration() const;  // [ns] from there to the last message of all files
@@ -45,7 +46,8 @@ std::string bag_metadata_yaml(const BagMetadata& metadata, Distro distro);
 // The same without its top-level key, as Jazzy stores it inside bag files.
 std::string embedded_metadata_yaml(const BagMetadata& metadata, Distro distro);
 
-// Reads versions 1 to 9. kInvalidRequest with one message for anything else, also for paths that leave the directory.
+// Reads versions 1 to 9. kInvalidRequest with one message for anything else, also for paths that leave the
+// directory.
 Expected<BagMetadata> parse_bag_metadata(const std::string& yaml);
 
 }  // namespace goalnet::ros

@@ -41,8 +41,9 @@ Expected<std::unique_ptr<BagReader>> BagReader::open(const std::string& path) {
     const auto metadata = read_bag_metadata(path);
     if (!metadata) return tl::unexpected(metadata.error());
     if (!metadata->compression_mode.empty()) {
-      return fail(Outcome::kInvalidRequest, path + " is compressed by rosbag2 (" + metadata->compression_mode +
-                                                " mode), which is not read here; \"ros2 bag convert\" undoes it");
+      return fail(Outcome::kInvalidRequest,
+                  path + " is compressed by rosbag2 (" + metadata->compression_mode +
+                      " mode), which is not read here; \"ros2 bag convert\" undoes it");
     }
     for (const BagFile& file : metadata->files)
       files.push_back({(fs::path(path) / file.path).string(), metadata->storage});
@@ -50,13 +51,16 @@ Expected<std::unique_ptr<BagReader>> BagReader::open(const std::string& path) {
   } else if (path.ends_with(".mcap") || path.ends_with(".db3")) {
     files.push_back({path, path.ends_with(".mcap") ? BagStorage::kMcap : BagStorage::kSqlite});
   } else {
-    return fail(Outcome::kInvalidRequest, path + (fs::exists(path, error) ? " is no bag: a directory with metadata.yaml, or an .mcap or .db3 file"
-                                                                           : " does not exist"));
+    return fail(Outcome::kInvalidRequest,
+                path + (fs::exists(path, error)
+                            ? " is no bag: a directory with metadata.yaml, or an .mcap or .db3 file"
+                            : " does not exist"));
   }
   std::unique_ptr<BagReader> reader(new BagReader(std::move(files)));
   // All files once, so that all topics are known and a missing file is told before anything is played.
   for (std::size_t i = reader->files_.size(); i-- > 0;) {
-    if (auto opened = reader->open_file_at(i); !opened) return tl::unexpected<Error>(std::move(opened.error()));
+    if (auto opened = reader->open_file_at(i); !opened)
+      return tl::unexpected<Error>(std::move(opened.error()));
   }
   return reader;
 }
@@ -87,7 +91,8 @@ Expected<bool> BagReader::next(BagMessage& message) {
       return true;
     }
     if (current_ + 1 >= files_.size()) return false;
-    if (auto opened = open_file_at(current_ + 1); !opened) return tl::unexpected<Error>(std::move(opened.error()));
+    if (auto opened = open_file_at(current_ + 1); !opened)
+      return tl::unexpected<Error>(std::move(opened.error()));
   }
 }
 

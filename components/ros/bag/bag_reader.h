@@ -14,8 +14,8 @@ namespace goalnet::ros {
 // One thread. Errors are kInvalidRequest: one message with the file, the place and what is wrong there.
 class BagReader {
  public:
-  // `path`: a directory with metadata.yaml, or an .mcap or .db3 file. Reads what both distributions record, MCAP and
-  // SQLite; not rosbag2's own compression of whole files or messages.
+  // `path`: a directory with metadata.yaml, or an .mcap or .db3 file. Reads what both distributions record,
+  // MCAP and SQLite; not rosbag2's own compression of whole files or messages.
   static Expected<std::unique_ptr<BagReader>> open(const std::string& path);
 
   const std::vector<BagTopic>& topics() const { return topics_; }

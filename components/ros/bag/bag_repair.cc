@@ -91,7 +91,8 @@ Expected<void> go_through(StorageReader& reader, BagMetadata& bag, StorageWriter
     if (!more) return tl::unexpected<Error>(std::move(more.error()));
     if (!*more) break;
     BagFile& file = bag.files.back();
-    const std::uint64_t end = std::max(file.message_count == 0 ? 0 : file.start + file.duration, message.log_time);
+    const std::uint64_t end =
+        std::max(file.message_count == 0 ? 0 : file.start + file.duration, message.log_time);
     file.start = std::min(file.start, message.log_time);
     file.duration = end - file.start;
     ++file.message_count;
@@ -104,7 +105,8 @@ Expected<void> go_through(StorageReader& reader, BagMetadata& bag, StorageWriter
 }
 
 // Writes the file again, with its index, and lets it take the old one's name.
-Expected<void> rewrite_mcap(const fs::path& path, StorageReader& reader, const StorageOptions& options, BagMetadata& bag) {
+Expected<void> rewrite_mcap(const fs::path& path, StorageReader& reader, const StorageOptions& options,
+                            BagMetadata& bag) {
   const std::string whole = path.string() + ".repaired";
   std::error_code error;
   fs::remove(whole, error);
@@ -124,7 +126,8 @@ Expected<void> take_file(const fs::path& path, const StorageOptions& options, Ba
   auto reader = open_bag_file(path.string(), bag.storage);
   if (!reader) return tl::unexpected<Error>(std::move(reader.error()));
   bag.files.push_back({path.filename().string(), kNoStart, 0, 0});
-  return (*reader)->finished() ? go_through(**reader, bag, nullptr) : rewrite_mcap(path, **reader, options, bag);
+  return (*reader)->finished() ? go_through(**reader, bag, nullptr)
+                               : rewrite_mcap(path, **reader, options, bag);
 }
 
 }  // namespace
@@ -136,7 +139,8 @@ Expected<BagMetadata> repair_bag(const std::string& directory, Distro distro) {
   bag.storage = files->front().extension() == ".mcap" ? BagStorage::kMcap : BagStorage::kSqlite;
   const StorageOptions options{distro, false};
   for (const fs::path& file : *files) {
-    if (auto taken = take_file(file, options, bag); !taken) return tl::unexpected<Error>(std::move(taken.error()));
+    if (auto taken = take_file(file, options, bag); !taken)
+      return tl::unexpected<Error>(std::move(taken.error()));
   }
   auto written = write_bag_metadata(directory, bag, distro);
   if (!written) return tl::unexpected<Error>(std::move(written.error()));

@@ -104,7 +104,8 @@ Expected<void> BagWriter::write(std::size_t topic, std::uint64_t log_time, std::
   }
   if (auto written = file_->write(topic, log_time, publish_time, payload); !written) return written;
   BagFile& file = metadata_.files.back();
-  const std::uint64_t end = file.message_count == 0 ? log_time : std::max(file.start + file.duration, log_time);
+  const std::uint64_t end =
+      file.message_count == 0 ? log_time : std::max(file.start + file.duration, log_time);
   file.start = std::min(file.start, log_time);
   file.duration = end - file.start;
   ++file.message_count;

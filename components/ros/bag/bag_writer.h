@@ -1,4 +1,5 @@
-// A rosbag2 directory, being written: its files, split by size or time, and its metadata.yaml. Knows nothing of DDS.
+// A rosbag2 directory, being written: its files, split by size or time, and its metadata.yaml. Knows nothing
+// of DDS.
 #pragma once
 
 #include <chrono>

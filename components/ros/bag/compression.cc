@@ -43,15 +43,16 @@ Expected<std::vector<std::uint8_t>> decompress(std::string_view name, std::span<
   std::vector<std::uint8_t> out(size);
   if (name == "zstd") {
     const std::size_t done = ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size());
-    if (ZSTD_isError(done) || done != size) return fail(Outcome::kInvalidRequest, "its zstd data are damaged");
+    if (ZSTD_isError(done) || done != size)
+      return fail(Outcome::kInvalidRequest, "its zstd data are damaged");
     return out;
   }
   if (name == "lz4") {
     if (!decompress_lz4(bytes, out)) return fail(Outcome::kInvalidRequest, "its lz4 data are damaged");
     return out;
   }
-  return fail(Outcome::kInvalidRequest,
-              "its compression \"" + std::string(name.substr(0, 20)) + "\" is unknown (zstd and lz4 are read)");
+  return fail(Outcome::kInvalidRequest, "its compression \"" + std::string(name.substr(0, 20)) +
+                                            "\" is unknown (zstd and lz4 are read)");
 }
 
 }  // namespace goalnet::ros

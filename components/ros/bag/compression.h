@@ -12,8 +12,8 @@ namespace goalnet::ros {
 
 std::vector<std::uint8_t> compress_zstd(std::span<const std::uint8_t> bytes);
 
-// `name` is "", "zstd" or "lz4"; the result has exactly `size` bytes. kInvalidRequest for what does not decompress
-// to that.
+// `name` is "", "zstd" or "lz4"; the result has exactly `size` bytes. kInvalidRequest for what does not
+// decompress to that.
 Expected<std::vector<std::uint8_t>> decompress(std::string_view name, std::span<const std::uint8_t> bytes,
                                                std::size_t size);
 

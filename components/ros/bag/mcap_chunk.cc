@@ -4,7 +4,8 @@
 
 namespace goalnet::ros::mcap {
 
-Expected<ChunkPlace> parse_chunk_head(std::span<const std::uint8_t> head, std::uint64_t offset, std::uint64_t length) {
+Expected<ChunkPlace> parse_chunk_head(std::span<const std::uint8_t> head, std::uint64_t offset,
+                                      std::uint64_t length) {
   Parser parser(head);
   ChunkPlace place;
   place.start_time = parser.number<std::uint64_t>();

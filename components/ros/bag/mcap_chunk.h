@@ -24,14 +24,17 @@ struct ChunkPlace {
 
 inline constexpr std::uint64_t kLargestChunk = 256u << 20;  // [bytes] what is read into memory at once
 
-// From the first bytes of a chunk record's content; `offset` is where the content begins, `length` how long it is.
-Expected<ChunkPlace> parse_chunk_head(std::span<const std::uint8_t> head, std::uint64_t offset, std::uint64_t length);
+// From the first bytes of a chunk record's content; `offset` is where the content begins, `length` how long
+// it is.
+Expected<ChunkPlace> parse_chunk_head(std::span<const std::uint8_t> head, std::uint64_t offset,
+                                      std::uint64_t length);
 inline constexpr std::size_t kLargestChunkHead = 8 + 8 + 8 + 4 + 4 + 32 + 8;
 
 // Its records, uncompressed and checked.
 Expected<Bytes> load_chunk(ByteSource& source, const ChunkPlace& place);
 
-// Calls `visit(opcode, content)` for each record; stops at a record that is cut off. Returns whether none was.
+// Calls `visit(opcode, content)` for each record; stops at a record that is cut off. Returns whether none
+// was.
 template <class Visit>
 bool for_each_record(std::span<const std::uint8_t> records, const Visit& visit) {
   Parser parser(records);

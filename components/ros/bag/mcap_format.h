@@ -13,7 +13,7 @@ namespace goalnet::ros::mcap {
 using Bytes = std::vector<std::uint8_t>;
 
 inline constexpr std::uint8_t kMagic[] = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
-inline constexpr std::size_t kRecordHead = 1 + 8;        // [bytes] opcode and length
+inline constexpr std::size_t kRecordHead = 1 + 8;           // [bytes] opcode and length
 inline constexpr std::size_t kMessageHead = 2 + 4 + 8 + 8;  // [bytes] channel, sequence, log and publish time
 
 enum Opcode : std::uint8_t {
@@ -53,7 +53,8 @@ void table(Bytes& out, const std::map<Key, Value>& values) {
 // CRC-32 as zlib computes it; give the result of one call to the next to go on.
 std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t so_far = 0);
 
-// Takes a record apart. After the first thing that is not there all further answers are empty and ok() is false.
+// Takes a record apart. After the first thing that is not there all further answers are empty and ok() is
+// false.
 class Parser {
  public:
   explicit Parser(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -61,7 +62,8 @@ class Parser {
   T number() {
     T value{};
     if (!need(sizeof(T))) return value;
-    for (std::size_t i = 0; i < sizeof(T); ++i) value = static_cast<T>(value | (static_cast<std::uint64_t>(bytes_[i]) << (8 * i)));
+    for (std::size_t i = 0; i < sizeof(T); ++i)
+      value = static_cast<T>(value | (static_cast<std::uint64_t>(bytes_[i]) << (8 * i)));
     bytes_ = bytes_.subspan(sizeof(T));
     return value;
   }

@@ -1,5 +1,5 @@
-// MCAP, read without trusting it: the places of all chunks come from walking the file, never from its index, so that
-// a file whose recorder was killed is read as far as it goes.
+// MCAP, read without trusting it: the places of all chunks come from walking the file, never from its index,
+// so that a file whose recorder was killed is read as far as it goes.
 #include <algorithm>
 #include <cstring>
 #include <deque>
@@ -14,10 +14,10 @@ namespace {
 
 using namespace mcap;
 
-constexpr std::size_t kMostCached = 4;                    // chunks kept in memory
-constexpr std::size_t kMostMessagesAtOnce = 20'000'000;   // in chunks that overlap in time
-constexpr std::uint64_t kLargestRecord = 64u << 20;       // [bytes] of a schema, channel or statistics
-constexpr std::uint64_t kLongestRun = 1u << 20;           // [bytes] of messages outside of chunks, taken together
+constexpr std::size_t kMostCached = 4;                   // chunks kept in memory
+constexpr std::size_t kMostMessagesAtOnce = 20'000'000;  // in chunks that overlap in time
+constexpr std::uint64_t kLargestRecord = 64u << 20;      // [bytes] of a schema, channel or statistics
+constexpr std::uint64_t kLongestRun = 1u << 20;  // [bytes] of messages outside of chunks, taken together
 
 Error broken(const std::string& name, std::uint64_t offset, const std::string& why) {
   return {Outcome::kInvalidRequest, name + " is damaged at byte " + std::to_string(offset) + ": " + why};
@@ -91,8 +91,9 @@ Expected<void> McapReader::open() {
       topics_[topic->second].message_count += count;
   }
   for (std::size_t i = 0; i < chunks_.size(); ++i) order_.push_back(i);
-  std::stable_sort(order_.begin(), order_.end(),
-                   [this](std::size_t a, std::size_t b) { return chunks_[a].start_time < chunks_[b].start_time; });
+  std::stable_sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
+    return chunks_[a].start_time < chunks_[b].start_time;
+  });
   return {};
 }
 
@@ -145,7 +146,8 @@ Expected<void> McapReader::take_record(std::uint8_t opcode, std::uint64_t offset
 
 // `ros2 bag record --storage-preset-profile fastwrite` makes no chunks.
 Expected<void> McapReader::take_message(std::uint64_t record, std::uint64_t content, std::uint64_t length) {
-  if (length > kLargestChunk) return tl::unexpected(broken(name_, content, "a message is larger than 256 MiB"));
+  if (length > kLargestChunk)
+    return tl::unexpected(broken(name_, content, "a message is larger than 256 MiB"));
   std::uint8_t head[kMessageHead];
   if (length < sizeof head || !source_->read(content, head)) {
     return tl::unexpected(broken(name_, content, "a message without a head"));
@@ -218,7 +220,8 @@ void McapReader::take_statistics(std::span<const std::uint8_t> content) {
 Expected<void> McapReader::look_into_chunks() {
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     auto records = load_chunk(*source_, chunks_[i]);
-    if (!records) return tl::unexpected(broken(name_, chunks_[i].offset, "a chunk: " + records.error().message));
+    if (!records)
+      return tl::unexpected(broken(name_, chunks_[i].offset, "a chunk: " + records.error().message));
     Expected<void> taken;
     for_each_record(*records, [&](std::uint8_t opcode, std::span<const std::uint8_t> content) {
       if (!taken) return;
@@ -231,10 +234,12 @@ Expected<void> McapReader::look_into_chunks() {
 }
 
 Expected<const Bytes*> McapReader::chunk(std::size_t index) {
-  const auto found = std::find_if(cache_.begin(), cache_.end(), [&](const auto& one) { return one.first == index; });
+  const auto found =
+      std::find_if(cache_.begin(), cache_.end(), [&](const auto& one) { return one.first == index; });
   if (found != cache_.end()) return &found->second;
   auto records = load_chunk(*source_, chunks_[index]);
-  if (!records) return tl::unexpected(broken(name_, chunks_[index].offset, "a chunk: " + records.error().message));
+  if (!records)
+    return tl::unexpected(broken(name_, chunks_[index].offset, "a chunk: " + records.error().message));
   if (cache_.size() >= kMostCached) cache_.pop_front();
   return &cache_.emplace_back(index, std::move(*records)).second;
 }
@@ -245,21 +250,22 @@ Expected<void> McapReader::open_cursor(std::size_t index) {
   Cursor cursor{index, {}, 0};
   const std::uint8_t* const begin = (*records)->data();
   Expected<void> taken;
-  const bool whole = for_each_record(**records, [&](std::uint8_t opcode, std::span<const std::uint8_t> content) {
-    if (!taken) return;
-    if (opcode == kSchema) taken = take_schema(content);
-    if (opcode == kChannel) taken = take_channel(content);
-    if (opcode != kMessage) return;
-    Parser parser(content);
-    parser.bytes(2 + 4);
-    const auto time = parser.number<std::uint64_t>();
-    parser.bytes(8);
-    if (!parser.ok()) {
-      taken = fail(Outcome::kInvalidRequest, "a message without a head");
-    } else {
-      cursor.entries.push_back({time, static_cast<std::size_t>(content.data() - begin), content.size()});
-    }
-  });
+  const bool whole =
+      for_each_record(**records, [&](std::uint8_t opcode, std::span<const std::uint8_t> content) {
+        if (!taken) return;
+        if (opcode == kSchema) taken = take_schema(content);
+        if (opcode == kChannel) taken = take_channel(content);
+        if (opcode != kMessage) return;
+        Parser parser(content);
+        parser.bytes(2 + 4);
+        const auto time = parser.number<std::uint64_t>();
+        parser.bytes(8);
+        if (!parser.ok()) {
+          taken = fail(Outcome::kInvalidRequest, "a message without a head");
+        } else {
+          cursor.entries.push_back({time, static_cast<std::size_t>(content.data() - begin), content.size()});
+        }
+      });
   if (taken && !whole) taken = fail(Outcome::kInvalidRequest, "a record is cut off inside a chunk");
   if (!taken) return tl::unexpected(broken(name_, chunks_[index].offset, taken.error().message));
   waiting_ += cursor.entries.size();
@@ -295,7 +301,8 @@ Expected<bool> McapReader::next(BagMessage& message) {
   }
   Parser parser(std::span<const std::uint8_t>(**records).subspan(entry.at, entry.length));
   const auto topic = topic_of_channel_.find(parser.number<std::uint16_t>());
-  if (topic == topic_of_channel_.end()) return tl::unexpected(broken(name_, place, "a message of no known channel"));
+  if (topic == topic_of_channel_.end())
+    return tl::unexpected(broken(name_, place, "a message of no known channel"));
   parser.number<std::uint32_t>();
   message.topic = topic->second;
   message.log_time = parser.number<std::uint64_t>();
@@ -306,7 +313,8 @@ Expected<bool> McapReader::next(BagMessage& message) {
 
 }  // namespace
 
-Expected<std::unique_ptr<StorageReader>> open_mcap(std::unique_ptr<ByteSource> source, const std::string& name) {
+Expected<std::unique_ptr<StorageReader>> open_mcap(std::unique_ptr<ByteSource> source,
+                                                   const std::string& name) {
   auto reader = std::make_unique<McapReader>(std::move(source), name);
   if (auto ok = reader->open(); !ok) return tl::unexpected<Error>(std::move(ok.error()));
   return std::unique_ptr<StorageReader>(std::move(reader));

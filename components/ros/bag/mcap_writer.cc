@@ -83,10 +83,11 @@ Expected<void> McapWriter::begin(const BagMetadata& metadata) {
   return put_metadata(metadata);
 }
 
-// Without this record Jazzy takes the file for one of an older version, whose QoS are numbers. It comes first too, so
-// that it is there if the recorder is killed.
+// Without this record Jazzy takes the file for one of an older version, whose QoS are numbers. It comes first
+// too, so that it is there if the recorder is killed.
 Expected<void> McapWriter::put_metadata(const BagMetadata& metadata) {
-  std::map<std::string, std::string> values{{"ROS_DISTRO", options_.distro == Distro::kHumble ? "humble" : "jazzy"}};
+  std::map<std::string, std::string> values{
+      {"ROS_DISTRO", options_.distro == Distro::kHumble ? "humble" : "jazzy"}};
   if (options_.distro == Distro::kJazzy) {
     values = {{"serialized_metadata", embedded_metadata_yaml(metadata, options_.distro)}};
   }
@@ -118,7 +119,8 @@ Expected<void> McapWriter::add_topic(const BagTopic& topic) {
   number<std::uint16_t>(content, schema->second);
   text(content, topic.name);
   text(content, topic.serialization_format);
-  std::map<std::string, std::string> about{{"offered_qos_profiles", offered_qos_yaml(topic.offered, options_.distro)}};
+  std::map<std::string, std::string> about{
+      {"offered_qos_profiles", offered_qos_yaml(topic.offered, options_.distro)}};
   if (options_.distro == Distro::kJazzy) about["topic_type_hash"] = topic.type_hash;
   texts(content, about);
   Bytes channel;
@@ -275,12 +277,14 @@ Expected<void> McapWriter::finish(const BagMetadata& metadata) {
 
 }  // namespace
 
-Expected<std::unique_ptr<StorageWriter>> create_mcap_writer(const std::string& path, const BagMetadata& metadata,
+Expected<std::unique_ptr<StorageWriter>> create_mcap_writer(const std::string& path,
+                                                            const BagMetadata& metadata,
                                                             const StorageOptions& options) {
   std::FILE* file = std::fopen(path.c_str(), "wbx");
   if (file == nullptr)
     return fail(Outcome::kInvalidRequest, "cannot make " + path + ": " + std::strerror(errno));
-  // Says that somebody is writing, also to other processes, and ends with this one: nobody repairs a living file.
+  // Says that somebody is writing, also to other processes, and ends with this one: nobody repairs a living
+  // file.
   ::flock(::fileno(file), LOCK_EX | LOCK_NB);
   auto writer = std::make_unique<McapWriter>(file, options);
   if (auto ok = writer->begin(metadata); !ok) return tl::unexpected<Error>(std::move(ok.error()));

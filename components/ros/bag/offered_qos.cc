@@ -48,7 +48,8 @@ OfferedQos profile_of(const YAML::Node& node) {
   const std::size_t history = number_of(kHistory, node["history"]);
   out.history_known = history == 1 || history == 2;
   out.qos.keep_all = history == 2;
-  out.qos.depth = static_cast<std::uint32_t>(std::min<std::uint64_t>(node["depth"].as<std::uint64_t>(), 1'000'000));
+  out.qos.depth =
+      static_cast<std::uint32_t>(std::min<std::uint64_t>(node["depth"].as<std::uint64_t>(), 1'000'000));
   out.qos.reliable = number_of(kReliability, node["reliability"]) != 2;
   out.qos.transient_local = number_of(kDurability, node["durability"]) == 1;
   out.qos.deadline = span_of(node["deadline"]);
@@ -93,7 +94,8 @@ Expected<std::vector<OfferedQos>> parse_offered_qos(const std::string& yaml) {
 
 Qos request_for(std::span<const OfferedQos> offered) {
   Qos qos = Qos::standard();
-  qos.reliable = std::all_of(offered.begin(), offered.end(), [](const auto& one) { return one.qos.reliable; });
+  qos.reliable =
+      std::all_of(offered.begin(), offered.end(), [](const auto& one) { return one.qos.reliable; });
   qos.transient_local = !offered.empty() && std::all_of(offered.begin(), offered.end(), [](const auto& one) {
     return one.qos.transient_local;
   });

@@ -11,7 +11,8 @@
 
 namespace goalnet::ros {
 
-// A YAML list without a newline at its end: words for Jazzy (metadata version 9), rmw's numbers for Humble (5).
+// A YAML list without a newline at its end: words for Jazzy (metadata version 9), rmw's numbers for Humble
+// (5).
 std::string offered_qos_yaml(std::span<const OfferedQos> offered, Distro distro);
 
 // Reads either. kInvalidRequest for anything else; an empty text is an empty list.

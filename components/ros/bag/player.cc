@@ -15,7 +15,8 @@ using SteadyClock = std::chrono::steady_clock;
 
 }  // namespace
 
-Expected<std::unique_ptr<Player>> Player::create(Node& node, std::unique_ptr<BagReader> bag, PlayerOptions options) {
+Expected<std::unique_ptr<Player>> Player::create(Node& node, std::unique_ptr<BagReader> bag,
+                                                 PlayerOptions options) {
   if (!(options.rate > 0.0) || !std::isfinite(options.rate))
     return fail(Outcome::kInvalidRequest, "the rate must be greater than 0");
   std::unique_ptr<Player> player(new Player(node, std::move(bag), std::move(options)));
@@ -34,11 +35,13 @@ Expected<void> Player::open_topics() {
     }
     if (topic.serialization_format != "cdr") {
       return fail(Outcome::kInvalidRequest, topic.name + " is recorded in the format \"" +
-                                                topic.serialization_format.substr(0, 40) + "\"; only cdr can be played");
+                                                topic.serialization_format.substr(0, 40) +
+                                                "\"; only cdr can be played");
     }
-    if (auto name = expand_name(topic.name, "/", "x"); !name || idl::ros_type_name(idl::dds_type_name(topic.type)) != topic.type) {
-      return fail(Outcome::kInvalidRequest, "\"" + topic.name.substr(0, 80) + "\" of type \"" + topic.type.substr(0, 80) +
-                                                "\" is no topic of ROS 2");
+    if (auto name = expand_name(topic.name, "/", "x");
+        !name || idl::ros_type_name(idl::dds_type_name(topic.type)) != topic.type) {
+      return fail(Outcome::kInvalidRequest, "\"" + topic.name.substr(0, 80) + "\" of type \"" +
+                                                topic.type.substr(0, 80) + "\" is no topic of ROS 2");
     }
     EndpointOptions endpoint;
     endpoint.dds_topic = topic_to_dds(node_.resolve(topic.name));
@@ -55,7 +58,8 @@ Expected<void> Player::open_topics() {
   }
   if (!any) return fail(Outcome::kInvalidRequest, "the bag has none of these topics");
   if (options_.clock_hz > 0.0) {
-    clock_ = node_.open_writer(node_.resolve("/clock"), idl::type_support<rosgraph_msgs::msg::Clock>(), Qos::clock());
+    clock_ = node_.open_writer(node_.resolve("/clock"), idl::type_support<rosgraph_msgs::msg::Clock>(),
+                               Qos::clock());
   }
   return {};
 }
@@ -92,7 +96,8 @@ Expected<void> Player::play_once(const std::function<bool()>& stop) {
     }
     // A recording that spans more than a year in one bag is damaged; do not wait for it.
     constexpr double kLongest = 366.0 * 86400.0;
-    const double since = static_cast<double>(message.log_time - std::min(first_time_, message.log_time)) * 1e-9;
+    const double since =
+        static_cast<double>(message.log_time - std::min(first_time_, message.log_time)) * 1e-9;
     const std::chrono::duration<double> wait(std::min(since / options_.rate, kLongest));
     if (!wait_until(start_ + std::chrono::duration_cast<SteadyClock::duration>(wait), stop)) return {};
     if (message.payload.size() < 4 || !writer->write_raw(message.payload)) {
@@ -125,9 +130,11 @@ std::uint64_t Player::recording_now() const {
 }
 
 void Player::publish_clock() {
-  const auto period = std::chrono::duration_cast<SteadyClock::duration>(std::chrono::duration<double>(1.0 / options_.clock_hz));
+  const auto period = std::chrono::duration_cast<SteadyClock::duration>(
+      std::chrono::duration<double>(1.0 / options_.clock_hz));
   next_clock_ = std::max(next_clock_ + period, SteadyClock::now());
-  if (first_time_ == 0 && message_count_ == 0) return;  // before the first message it is not known what time it is
+  if (first_time_ == 0 && message_count_ == 0)
+    return;  // before the first message it is not known what time it is
   rosgraph_msgs::msg::Clock message;
   message.clock(Time(static_cast<std::int64_t>(recording_now())).to_msg());
   clock_->write(&message);

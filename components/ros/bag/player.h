@@ -15,20 +15,22 @@ namespace goalnet::ros {
 
 struct PlayerOptions {
   TopicSelection selection;
-  double rate = 1.0;                            // > 0: seconds of the recording in a second
-  double clock_hz = 0.0;                        // publish /clock this often [Hz of wall time]; 0: never
-  std::chrono::nanoseconds delay{500'000'000};  // before the first message, for subscribers to find the topics
-  bool loop = false;                            // for ever
+  double rate = 1.0;      // > 0: seconds of the recording in a second
+  double clock_hz = 0.0;  // publish /clock this often [Hz of wall time]; 0: never
+  std::chrono::nanoseconds delay{
+      500'000'000};   // before the first message, for subscribers to find the topics
+  bool loop = false;  // for ever
 };
 
 // Belongs to the thread of the node's loop.
 class Player {
  public:
   // Makes the publishers. kInvalidRequest where nothing is selected, or for a topic that ROS 2 cannot have.
-  static Expected<std::unique_ptr<Player>> create(Node& node, std::unique_ptr<BagReader> bag, PlayerOptions options);
+  static Expected<std::unique_ptr<Player>> create(Node& node, std::unique_ptr<BagReader> bag,
+                                                  PlayerOptions options);
 
-  // Runs the node's loop meanwhile. Returns when all is played, or soon after `stop` says so (asked often). Errors are
-  // those of the bag: what came before them was played.
+  // Runs the node's loop meanwhile. Returns when all is played, or soon after `stop` says so (asked often).
+  // Errors are those of the bag: what came before them was played.
   Expected<void> play(const std::function<bool()>& stop);
 
   std::uint64_t message_count() const { return message_count_; }  // published so far

@@ -39,9 +39,13 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(Node& node, RecorderOptions
 }
 
 Recorder::Recorder(Node& node, RecorderOptions options, std::unique_ptr<BagWriter> bag)
-    : node_(node), options_(std::move(options)), bag_(std::move(bag)), inbox_(std::make_shared<Inbox>(Inbox{this})) {
+    : node_(node),
+      options_(std::move(options)),
+      bag_(std::move(bag)),
+      inbox_(std::make_shared<Inbox>(Inbox{this})) {
   look_for_topics();
-  if (options_.lockstep) node.context().participant()->written().on_local_writer([this] { look_for_topics(); });
+  if (options_.lockstep)
+    node.context().participant()->written().on_local_writer([this] { look_for_topics(); });
   Clock& clock = options_.lockstep ? node.clock() : wall_;
   looker_ = Timer::create(node.loop(), clock, std::chrono::milliseconds(100), [this] { look_for_topics(); });
   flusher_ = Timer::create(node.loop(), clock, std::chrono::milliseconds(500), [this] {
@@ -75,7 +79,9 @@ void Recorder::look_for_topics() {
         second_type = true;
       }
     }
-    Channel* channel = known != channels_.end() ? &known->second : open_channel(name, dds_type, first.type_hash, profiles(offered));
+    Channel* channel = known != channels_.end()
+                           ? &known->second
+                           : open_channel(name, dds_type, first.type_hash, profiles(offered));
     if (channel == nullptr) return;  // the recording has ended
     if (second_type && !channel->warned) {
       node_.log().warn("{} has publishers of several types; only those of {} are recorded", name, dds_type);
@@ -106,7 +112,8 @@ Recorder::Channel* Recorder::open_channel(const std::string& name, const std::st
     if (topic.type_hash.empty()) topic.type_hash = description->hash;
   } else {
     node_.log().warn(
-        "{} has the type {}, whose definition is not known here: its messages are recorded without it (ros2 bag play "
+        "{} has the type {}, whose definition is not known here: its messages are recorded without it (ros2 "
+        "bag play "
         "has its own; Foxglove cannot show them)",
         name, topic.type);
   }
@@ -127,8 +134,9 @@ void Recorder::subscribe(const std::string& name, Channel& channel) {
   const Qos request = request_for(offered).keep_last(kDepth);
   if (channel.reader != nullptr && request == channel.request) return;
   if (channel.reader != nullptr) {
-    node_.log().warn("a publisher of {} offers less than those before; subscribed again with what all of them offer",
-                     name);
+    node_.log().warn(
+        "a publisher of {} offers less than those before; subscribed again with what all of them offer",
+        name);
     channel.reader.reset();
   }
   channel.request = request;
@@ -153,7 +161,8 @@ void Recorder::subscribe(const std::string& name, Channel& channel) {
   channel.reader = std::move(*reader);
 }
 
-void Recorder::on_payload(const std::string& name, std::vector<std::uint8_t> payload, const SampleInfo& info) {
+void Recorder::on_payload(const std::string& name, std::vector<std::uint8_t> payload,
+                          const SampleInfo& info) {
   if (closed_ || payload.size() < 4) return;
   const auto now = static_cast<std::uint64_t>(std::max<std::int64_t>(node_.now().nanoseconds, 0));
   const auto sent = static_cast<std::uint64_t>(std::max<std::int64_t>(info.source_timestamp, 0));

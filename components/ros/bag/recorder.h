@@ -16,15 +16,16 @@ namespace goalnet::ros {
 struct RecorderOptions {
   BagWriterOptions bag;  // its distribution is the context's
   TopicSelection selection;
-  // For a simulation in lockstep, with all nodes in this thread: subscribes to each publisher of this process before
-  // it publishes anything, and flushes in simulated time. The same run is then recorded the same way each time.
+  // For a simulation in lockstep, with all nodes in this thread: subscribes to each publisher of this process
+  // before it publishes anything, and flushes in simulated time. The same run is then recorded the same way
+  // each time.
   bool lockstep = false;
 };
 
-// Runs in the node's loop. What was recorded more than a second ago survives a crash. Messages are stamped with the
-// node's clock, so that a recording of a simulation is in simulated time; in wall-clock time the moment of sending is
-// kept too. Subscribes as rosbag2 does: reliable, or transient local, only where all publishers of the topic are, and
-// weaker when a weaker one comes.
+// Runs in the node's loop. What was recorded more than a second ago survives a crash. Messages are stamped
+// with the node's clock, so that a recording of a simulation is in simulated time; in wall-clock time the
+// moment of sending is kept too. Subscribes as rosbag2 does: reliable, or transient local, only where all
+// publishers of the topic are, and weaker when a weaker one comes.
 class Recorder {
  public:
   // kInvalidRequest if the directory exists or cannot be made.

@@ -23,8 +23,9 @@ Expected<SqliteDatabase> SqliteDatabase::open(const std::string& path, int flags
   SqliteDatabase database;
   database.handle_.reset(handle);
   if (code != SQLITE_OK) {
-    return fail(Outcome::kInvalidRequest, "cannot open " + path + ": " +
-                                              (handle != nullptr ? sqlite3_errmsg(handle) : sqlite3_errstr(code)));
+    return fail(
+        Outcome::kInvalidRequest,
+        "cannot open " + path + ": " + (handle != nullptr ? sqlite3_errmsg(handle) : sqlite3_errstr(code)));
   }
   guard(handle);
   return database;
@@ -58,7 +59,8 @@ Error SqliteDatabase::error(const std::string& doing) const {
 
 Expected<SqliteStatement> SqliteStatement::prepare(const SqliteDatabase& database, const std::string& sql) {
   sqlite3_stmt* handle = nullptr;
-  const int code = sqlite3_prepare_v2(database.handle(), sql.c_str(), static_cast<int>(sql.size()), &handle, nullptr);
+  const int code =
+      sqlite3_prepare_v2(database.handle(), sql.c_str(), static_cast<int>(sql.size()), &handle, nullptr);
   SqliteStatement statement;
   statement.statement_.reset(handle);
   if (code != SQLITE_OK) return fail(Outcome::kInvalidRequest, sqlite3_errmsg(database.handle()));
@@ -89,7 +91,8 @@ std::string SqliteStatement::text(int column) const {
 std::span<const std::uint8_t> SqliteStatement::blob(int column) const {
   const auto* start = static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_.get(), column));
   const int size = sqlite3_column_bytes(statement_.get(), column);
-  return start == nullptr ? std::span<const std::uint8_t>() : std::span(start, static_cast<std::size_t>(size));
+  return start == nullptr ? std::span<const std::uint8_t>()
+                          : std::span(start, static_cast<std::size_t>(size));
 }
 
 }  // namespace goalnet::ros

@@ -44,7 +44,8 @@ Expected<SqliteStatement> SqliteReader::prepare(const std::string& sql) const {
 // Only real tables count: a view could compute for ever.
 Expected<bool> SqliteReader::has(const std::string& table, const std::string& column) const {
   auto statement = prepare(
-      "SELECT count(*) FROM sqlite_master AS m, pragma_table_info(m.name) AS c WHERE m.type='table' AND m.name=? AND "
+      "SELECT count(*) FROM sqlite_master AS m, pragma_table_info(m.name) AS c WHERE m.type='table' AND "
+      "m.name=? AND "
       "c.name=?");
   if (!statement) return tl::unexpected(statement.error());
   statement->bind(1, table);
@@ -55,7 +56,8 @@ Expected<bool> SqliteReader::has(const std::string& table, const std::string& co
 }
 
 Expected<void> SqliteReader::open() {
-  for (const auto& [table, column] : {std::pair("topics", "serialization_format"), std::pair("messages", "data")}) {
+  for (const auto& [table, column] :
+       {std::pair("topics", "serialization_format"), std::pair("messages", "data")}) {
     auto there = has(table, column);
     if (!there) return tl::unexpected(there.error());
     if (!*there) return tl::unexpected(broken(std::string("it is no bag: it has no table ") + table));
@@ -68,12 +70,14 @@ Expected<void> SqliteReader::open() {
 }
 
 Expected<void> SqliteReader::read_topics() {
-  const auto has_qos = has("topics", "offered_qos_profiles"), has_hash = has("topics", "type_description_hash");
+  const auto has_qos = has("topics", "offered_qos_profiles"),
+             has_hash = has("topics", "type_description_hash");
   const auto has_definitions = has("message_definitions", "encoded_message_definition");
   if (!has_qos || !has_hash || !has_definitions) return tl::unexpected(broken("its tables cannot be read"));
   std::map<std::string, std::string> definitions;
   if (*has_definitions) {
-    auto statement = prepare("SELECT topic_type,encoded_message_definition FROM message_definitions WHERE encoding='ros2msg'");
+    auto statement = prepare(
+        "SELECT topic_type,encoded_message_definition FROM message_definitions WHERE encoding='ros2msg'");
     if (!statement) return tl::unexpected(statement.error());
     auto row = statement->step();
     for (; row && *row && definitions.size() < kMostTopics; row = statement->step())
@@ -81,8 +85,8 @@ Expected<void> SqliteReader::read_topics() {
     if (!row) return tl::unexpected(broken(row.error().message));
   }
   auto statement = prepare(std::string("SELECT id,name,type,serialization_format,") +
-                           (*has_qos ? "offered_qos_profiles," : "'',") + (*has_hash ? "type_description_hash" : "''") +
-                           " FROM topics ORDER BY id");
+                           (*has_qos ? "offered_qos_profiles," : "'',") +
+                           (*has_hash ? "type_description_hash" : "''") + " FROM topics ORDER BY id");
   if (!statement) return tl::unexpected(statement.error());
   auto row = statement->step();
   for (; row && *row && topics_.size() < kMostTopics; row = statement->step()) {
@@ -94,7 +98,8 @@ Expected<void> SqliteReader::read_topics() {
     if (!offered) return tl::unexpected(broken(topic.name.substr(0, 80) + ": " + offered.error().message));
     topic.offered = std::move(*offered);
     topic.type_hash = statement->text(5);
-    if (const auto known = definitions.find(topic.type); known != definitions.end()) topic.definition = known->second;
+    if (const auto known = definitions.find(topic.type); known != definitions.end())
+      topic.definition = known->second;
     topic_of_id_[statement->integer(0)] = topics_.size();
     topics_.push_back(std::move(topic));
   }
@@ -109,13 +114,15 @@ Expected<bool> SqliteReader::next(BagMessage& message) {
   const auto topic = topic_of_id_.find(messages_->integer(0));
   if (topic == topic_of_id_.end()) return tl::unexpected(broken("a message of no known topic"));
   message.topic = topic->second;
-  message.log_time = message.publish_time = static_cast<std::uint64_t>(std::max<std::int64_t>(messages_->integer(1), 0));
+  message.log_time = message.publish_time =
+      static_cast<std::uint64_t>(std::max<std::int64_t>(messages_->integer(1), 0));
   const auto data = messages_->blob(2);
   message.payload.assign(data.begin(), data.end());
   return true;
 }
 
-Expected<std::unique_ptr<StorageReader>> make(Expected<SqliteDatabase> database, const std::string& name, bool finished) {
+Expected<std::unique_ptr<StorageReader>> make(Expected<SqliteDatabase> database, const std::string& name,
+                                              bool finished) {
   if (!database) return tl::unexpected<Error>(std::move(database.error()));
   auto reader = std::make_unique<SqliteReader>(std::move(*database), name, finished);
   if (auto ok = reader->open(); !ok) return tl::unexpected<Error>(std::move(ok.error()));

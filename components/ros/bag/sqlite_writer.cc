@@ -1,5 +1,6 @@
-// SQLite: the tables of `ros2 bag record --storage sqlite3`. One transaction from flush to flush. While recording a
-// write-ahead log keeps what was committed safe from a crash; at the end it is folded into the one file.
+// SQLite: the tables of `ros2 bag record --storage sqlite3`. One transaction from flush to flush. While
+// recording a write-ahead log keeps what was committed safe from a crash; at the end it is folded into the
+// one file.
 #include <set>
 
 #include "components/ros/bag/offered_qos.h"
@@ -14,17 +15,20 @@ constexpr const char* kSchema =
     "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY,ros_distro TEXT NOT NULL);"
     "CREATE TABLE metadata(id INTEGER PRIMARY KEY,metadata_version INTEGER NOT NULL,metadata TEXT NOT NULL);";
 constexpr const char* kTopicsHumble =
-    "CREATE TABLE topics(id INTEGER PRIMARY KEY,name TEXT NOT NULL,type TEXT NOT NULL,serialization_format TEXT NOT "
+    "CREATE TABLE topics(id INTEGER PRIMARY KEY,name TEXT NOT NULL,type TEXT NOT NULL,serialization_format "
+    "TEXT NOT "
     "NULL,offered_qos_profiles TEXT NOT NULL);"
     "INSERT INTO schema VALUES(3,'humble');";
 constexpr const char* kTopicsJazzy =
-    "CREATE TABLE topics(id INTEGER PRIMARY KEY,name TEXT NOT NULL,type TEXT NOT NULL,serialization_format TEXT NOT "
+    "CREATE TABLE topics(id INTEGER PRIMARY KEY,name TEXT NOT NULL,type TEXT NOT NULL,serialization_format "
+    "TEXT NOT "
     "NULL,offered_qos_profiles TEXT NOT NULL,type_description_hash TEXT NOT NULL);"
     "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY,topic_type TEXT NOT NULL,encoding TEXT NOT "
     "NULL,encoded_message_definition TEXT NOT NULL,type_description_hash TEXT NOT NULL);"
     "INSERT INTO schema VALUES(4,'jazzy');";
 constexpr const char* kMessages =
-    "CREATE TABLE messages(id INTEGER PRIMARY KEY,topic_id INTEGER NOT NULL,timestamp INTEGER NOT NULL, data BLOB NOT "
+    "CREATE TABLE messages(id INTEGER PRIMARY KEY,topic_id INTEGER NOT NULL,timestamp INTEGER NOT NULL, data "
+    "BLOB NOT "
     "NULL);"
     "CREATE INDEX timestamp_idx ON messages (timestamp ASC);";
 
@@ -54,8 +58,8 @@ class SqliteWriter : public StorageWriter {
 };
 
 Expected<void> SqliteWriter::begin(const BagMetadata& metadata) {
-  auto done = database_.run(std::string("PRAGMA journal_mode=WAL;PRAGMA synchronous=NORMAL;BEGIN;") + kSchema +
-                            (jazzy() ? kTopicsJazzy : kTopicsHumble) + kMessages);
+  auto done = database_.run(std::string("PRAGMA journal_mode=WAL;PRAGMA synchronous=NORMAL;BEGIN;") +
+                            kSchema + (jazzy() ? kTopicsJazzy : kTopicsHumble) + kMessages);
   if (!done) return done;
   auto statement =
       SqliteStatement::prepare(database_, "INSERT INTO messages(topic_id,timestamp,data) VALUES(?,?,?)");
@@ -67,7 +71,8 @@ Expected<void> SqliteWriter::begin(const BagMetadata& metadata) {
 
 Expected<void> SqliteWriter::put_metadata(const BagMetadata& metadata) {
   if (!jazzy()) return {};  // Humble leaves the table empty
-  return insert("metadata(metadata_version,metadata)", {"9", embedded_metadata_yaml(metadata, options_.distro)});
+  return insert("metadata(metadata_version,metadata)",
+                {"9", embedded_metadata_yaml(metadata, options_.distro)});
 }
 
 Expected<void> SqliteWriter::insert(const std::string& table, const std::vector<std::string>& texts) {
@@ -76,7 +81,8 @@ Expected<void> SqliteWriter::insert(const std::string& table, const std::vector<
   auto statement = SqliteStatement::prepare(database_, "INSERT INTO " + table + " VALUES(" + places + ")");
   if (!statement) return tl::unexpected<Error>(std::move(statement.error()));
   for (std::size_t i = 0; i < texts.size(); ++i) statement->bind(static_cast<int>(i) + 1, texts[i]);
-  if (auto stepped = statement->step(); !stepped) return tl::unexpected(database_.error("write the recording"));
+  if (auto stepped = statement->step(); !stepped)
+    return tl::unexpected(database_.error("write the recording"));
   for (const std::string& text : texts) size_ += text.size();
   return {};
 }
@@ -86,8 +92,9 @@ Expected<void> SqliteWriter::add_topic(const BagTopic& topic) {
   const std::vector<std::string> about{topic.name, topic.type, topic.serialization_format, qos};
   if (!jazzy()) return insert("topics(name,type,serialization_format,offered_qos_profiles)", about);
   if (defined_.insert(topic.type).second) {
-    auto done = insert("message_definitions(topic_type,encoding,encoded_message_definition,type_description_hash)",
-                       {topic.type, topic.definition.empty() ? "unknown" : "ros2msg", topic.definition, topic.type_hash});
+    auto done = insert(
+        "message_definitions(topic_type,encoding,encoded_message_definition,type_description_hash)",
+        {topic.type, topic.definition.empty() ? "unknown" : "ros2msg", topic.definition, topic.type_hash});
     if (!done) return done;
   }
   return insert("topics(name,type,serialization_format,offered_qos_profiles,type_description_hash)",
@@ -117,7 +124,8 @@ Expected<void> SqliteWriter::finish(const BagMetadata& metadata) {
 
 }  // namespace
 
-Expected<std::unique_ptr<StorageWriter>> create_sqlite_writer(const std::string& path, const BagMetadata& metadata,
+Expected<std::unique_ptr<StorageWriter>> create_sqlite_writer(const std::string& path,
+                                                              const BagMetadata& metadata,
                                                               const StorageOptions& options) {
   auto database = SqliteDatabase::open(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   if (!database) return tl::unexpected<Error>(std::move(database.error()));

@@ -25,7 +25,8 @@ class StorageReader {
 };
 
 // `name` is for messages to people.
-Expected<std::unique_ptr<StorageReader>> open_mcap(std::unique_ptr<ByteSource> source, const std::string& name);
+Expected<std::unique_ptr<StorageReader>> open_mcap(std::unique_ptr<ByteSource> source,
+                                                   const std::string& name);
 Expected<std::unique_ptr<StorageReader>> open_sqlite(const std::string& path);
 // The same for a database in memory, which may be anything.
 Expected<std::unique_ptr<StorageReader>> open_sqlite_in_memory(std::vector<std::uint8_t> bytes);

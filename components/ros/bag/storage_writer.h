@@ -12,8 +12,8 @@
 
 namespace goalnet::ros {
 
-// One thread. What was flushed can be read even if the process is killed afterwards. Errors are kInternal: the disk
-// is full or gone.
+// One thread. What was flushed can be read even if the process is killed afterwards. Errors are kInternal:
+// the disk is full or gone.
 class StorageWriter {
  public:
   virtual ~StorageWriter() = default;
@@ -23,7 +23,8 @@ class StorageWriter {
   virtual Expected<void> write(std::size_t topic, std::uint64_t log_time, std::uint64_t publish_time,
                                std::span<const std::uint8_t> payload) = 0;
   virtual Expected<void> flush() = 0;
-  // Writes what makes the file complete, with the metadata that Jazzy wants inside; nothing can be written afterwards.
+  // Writes what makes the file complete, with the metadata that Jazzy wants inside; nothing can be written
+  // afterwards.
   virtual Expected<void> finish(const BagMetadata& metadata) = 0;
   virtual std::uint64_t size() const = 0;  // [bytes] so far, about
 };
@@ -34,9 +35,11 @@ struct StorageOptions {
 };
 
 // Makes the file. kInvalidRequest if that is not possible. `metadata` is what is known at the start.
-Expected<std::unique_ptr<StorageWriter>> create_mcap_writer(const std::string& path, const BagMetadata& metadata,
+Expected<std::unique_ptr<StorageWriter>> create_mcap_writer(const std::string& path,
+                                                            const BagMetadata& metadata,
                                                             const StorageOptions& options);
-Expected<std::unique_ptr<StorageWriter>> create_sqlite_writer(const std::string& path, const BagMetadata& metadata,
+Expected<std::unique_ptr<StorageWriter>> create_sqlite_writer(const std::string& path,
+                                                              const BagMetadata& metadata,
                                                               const StorageOptions& options);
 
 }  // namespace goalnet::ros

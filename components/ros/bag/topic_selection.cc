@@ -10,7 +10,8 @@ Expected<std::optional<std::regex>> compile(const std::string& text) {
   try {
     return std::optional(std::regex(text));
   } catch (const std::regex_error& error) {
-    return fail(Outcome::kInvalidRequest, "\"" + text.substr(0, 80) + "\" is no regular expression: " + error.what());
+    return fail(Outcome::kInvalidRequest,
+                "\"" + text.substr(0, 80) + "\" is no regular expression: " + error.what());
   }
 }
 

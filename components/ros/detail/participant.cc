@@ -94,9 +94,9 @@ Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSett
   qos.user_data().data_vec({user_data.begin(), user_data.end()});
   set_discovery(settings, qos);
   set_transports(settings, qos);
-  // Data goes to each peer by unicast, never to a multicast address that only some endpoint announced. A precaution:
-  // Fast DDS 2.9.1 is known to assert in its output traffic manager when Cyclone DDS readers are discovered; the
-  // abort was never seen here, with or without this line (README).
+  // Data goes to each peer by unicast, never to a multicast address that only some endpoint announced. A
+  // precaution: Fast DDS 2.9.1 is known to assert in its output traffic manager when Cyclone DDS readers are
+  // discovered; the abort was never seen here, with or without this line (README).
   qos.allocation().locators.max_multicast_locators = 0;
 
   self->participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(

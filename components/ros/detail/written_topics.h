@@ -27,8 +27,8 @@ class WrittenTopics {
   void forget(const std::string& topic, const Gid& writer);
   TopicWriters snapshot() const;
 
-  // Called after a writer of this process was made, in its thread, before it writes anything: who subscribes then
-  // misses nothing. One at a time; an empty function ends it.
+  // Called after a writer of this process was made, in its thread, before it writes anything: who subscribes
+  // then misses nothing. One at a time; an empty function ends it.
   void on_local_writer(std::function<void()> callback);
   void local_writer_made() const;
 

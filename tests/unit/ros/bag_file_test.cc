@@ -1,4 +1,5 @@
-// Bags as files, without DDS: what is written is what others write, and whatever lies on the disk is read or refused.
+// Bags as files, without DDS: what is written is what others write, and whatever lies on the disk is read or
+// refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -45,7 +46,8 @@ std::vector<std::string> query(const fs::path& path, const std::string& sql) {
   std::vector<std::string> rows;
   const auto take = [](void* out, int count, char** values, char**) {
     std::string row;
-    for (int i = 0; i < count; ++i) row += (i > 0 ? "|" : "") + std::string(values[i] != nullptr ? values[i] : "NULL");
+    for (int i = 0; i < count; ++i)
+      row += (i > 0 ? "|" : "") + std::string(values[i] != nullptr ? values[i] : "NULL");
     static_cast<std::vector<std::string>*>(out)->push_back(row);
     return 0;
   };
@@ -110,7 +112,8 @@ struct BagFileTest : testing::TestWithParam<Kind> {
     ASSERT_TRUE(closed) << closed.error().message;
   }
   fs::path file(Kind kind, int number = 0) const {
-    return folder / (folder.filename().string() + "_" + std::to_string(number) + std::string(bag_file_extension(kind.storage)));
+    return folder / (folder.filename().string() + "_" + std::to_string(number) +
+                     std::string(bag_file_extension(kind.storage)));
   }
 };
 
@@ -196,15 +199,17 @@ TEST_P(BagFileTest, SplitsBySizeAndByTime) {
   }
 }
 
-// The process dies by SIGKILL right after a flush and some more messages: what was flushed is there at once, and whole
-// after a repair.
+// The process dies by SIGKILL right after a flush and some more messages: what was flushed is there at once,
+// and whole after a repair.
 TEST_P(BagFileTest, SurvivesTheDeathOfItsRecorder) {
   const pid_t child = fork();
   if (child == 0) {
     auto bag = BagWriter::create(options(GetParam()));
     if (!bag) _exit(1);
     for (const char* name : {"/a", "/b"}) static_cast<void>((*bag)->add_topic(topic_named(name)));
-    for (int i = 0; i < 1000; ++i) static_cast<void>((*bag)->write(static_cast<std::size_t>(i % 2), 1000u + static_cast<unsigned>(i), 0, payload(i)));
+    for (int i = 0; i < 1000; ++i)
+      static_cast<void>(
+          (*bag)->write(static_cast<std::size_t>(i % 2), 1000u + static_cast<unsigned>(i), 0, payload(i)));
     if (!(*bag)->flush()) _exit(1);
     for (int i = 0; i < 10; ++i) static_cast<void>((*bag)->write(0, 5000u, 0, payload(i)));
     ::kill(getpid(), SIGKILL);
@@ -299,7 +304,8 @@ TEST_P(BagFileTest, SurvivesDamage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BagFileTest,
-                         testing::Values(Kind{BagStorage::kMcap, Distro::kJazzy}, Kind{BagStorage::kMcap, Distro::kHumble},
+                         testing::Values(Kind{BagStorage::kMcap, Distro::kJazzy},
+                                         Kind{BagStorage::kMcap, Distro::kHumble},
                                          Kind{BagStorage::kMcap, Distro::kJazzy, true},
                                          Kind{BagStorage::kSqlite, Distro::kJazzy},
                                          Kind{BagStorage::kSqlite, Distro::kHumble}),
@@ -315,7 +321,8 @@ struct ReferenceBag : testing::TestWithParam<const char*> {
   std::string directory() const { return kReference + "bag_" + GetParam() + "_sqlite"; }
   Distro distro() const { return GetParam() == std::string("humble") ? Distro::kHumble : Distro::kJazzy; }
   void SetUp() override {
-    if (!fs::exists(kReference)) GTEST_SKIP() << "../shared is absent: no bags of ros2 bag record to compare with";
+    if (!fs::exists(kReference))
+      GTEST_SKIP() << "../shared is absent: no bags of ros2 bag record to compare with";
   }
 };
 
@@ -343,7 +350,8 @@ TEST_P(ReferenceBag, IsReadWhole) {
     ++counts[(*bag)->topics()[message.topic].name];
     EXPECT_EQ(message.payload[1], 1) << "little-endian CDR";
   }
-  for (const BagTopic& topic : metadata->topics) EXPECT_EQ(counts[topic.name], topic.message_count) << topic.name;
+  for (const BagTopic& topic : metadata->topics)
+    EXPECT_EQ(counts[topic.name], topic.message_count) << topic.name;
   EXPECT_TRUE((*bag)->topics()[0].offered.front().qos.transient_local) << "/rosout is latched";
   EXPECT_EQ((*bag)->topics()[0].offered.front().qos.lifespan, std::chrono::seconds(10));
 }
@@ -376,9 +384,10 @@ TEST_P(ReferenceBag, HasTheTablesThatWeMake) {
   const fs::path ours = folder / (folder.filename().string() + "_0.db3");
   EXPECT_EQ(query(ours, "SELECT type,name,tbl_name,sql FROM sqlite_master ORDER BY rootpage"),
             query(theirs, "SELECT type,name,tbl_name,sql FROM sqlite_master ORDER BY rootpage"));
-  for (const std::string sql :
-       {"SELECT schema_version FROM schema", "SELECT * FROM topics ORDER BY id", "SELECT id,metadata_version FROM metadata",
-        "SELECT id,topic_id,timestamp,hex(data) FROM messages ORDER BY id", "PRAGMA encoding", "PRAGMA page_size"}) {
+  for (const std::string sql : {"SELECT schema_version FROM schema", "SELECT * FROM topics ORDER BY id",
+                                "SELECT id,metadata_version FROM metadata",
+                                "SELECT id,topic_id,timestamp,hex(data) FROM messages ORDER BY id",
+                                "PRAGMA encoding", "PRAGMA page_size"}) {
     EXPECT_EQ(query(ours, sql), query(theirs, sql)) << sql;
   }
   if (distro() == Distro::kJazzy) {
@@ -395,7 +404,8 @@ INSTANTIATE_TEST_SUITE_P(Distributions, ReferenceBag, testing::Values("humble", 
 // ---- quality of service ----
 
 TEST(OfferedQosTest, RequestsWhatAllPublishersOffer) {
-  const OfferedQos reliable{.qos = Qos::standard()}, latched{.qos = Qos::latched()}, sensor{.qos = Qos::sensor_data()};
+  const OfferedQos reliable{.qos = Qos::standard()}, latched{.qos = Qos::latched()},
+      sensor{.qos = Qos::sensor_data()};
   const auto request = [](std::vector<OfferedQos> offered) { return request_for(offered); };
   EXPECT_TRUE(request({latched, latched}).transient_local);
   EXPECT_FALSE(request({latched, reliable}).transient_local);
@@ -405,22 +415,27 @@ TEST(OfferedQosTest, RequestsWhatAllPublishersOffer) {
 }
 
 TEST(OfferedQosTest, OffersWhatWasRecordedWherePublishersAgreed) {
-  const OfferedQos latched{.qos = Qos::latched(), .history_known = true}, unknown{.qos = Qos::latched().keep_last(0)};
+  const OfferedQos latched{.qos = Qos::latched(), .history_known = true},
+      unknown{.qos = Qos::latched().keep_last(0)};
   const OfferedQos sensor{.qos = Qos::sensor_data()};
   EXPECT_EQ(offer_in_place_of(std::vector{latched}), Qos::latched());
-  EXPECT_EQ(offer_in_place_of(std::vector{unknown}), Qos::latched().keep_last(10)) << "history does not travel";
-  EXPECT_EQ(offer_in_place_of(std::vector{latched, sensor}), Qos::standard()) << "mixed: the default, as rosbag2";
+  EXPECT_EQ(offer_in_place_of(std::vector{unknown}), Qos::latched().keep_last(10))
+      << "history does not travel";
+  EXPECT_EQ(offer_in_place_of(std::vector{latched, sensor}), Qos::standard())
+      << "mixed: the default, as rosbag2";
 }
 
 TEST(OfferedQosTest, ReadsWordsAndNumbersAndRefusesTheRest) {
   for (const Distro distro : {Distro::kHumble, Distro::kJazzy}) {
-    const std::vector<OfferedQos> offered{{.qos = Qos::rosout(), .history_known = true}, {.qos = Qos::sensor_data().keep_last(0)}};
+    const std::vector<OfferedQos> offered{{.qos = Qos::rosout(), .history_known = true},
+                                          {.qos = Qos::sensor_data().keep_last(0)}};
     const auto read = parse_offered_qos(offered_qos_yaml(offered, distro));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, offered);
   }
   EXPECT_TRUE(parse_offered_qos("")->empty());
-  for (const char* bad : {"- history: 99", "{}", "- 1", "[", "- history: keep_last\n  depth: -1"}) EXPECT_FALSE(parse_offered_qos(bad)) << bad;
+  for (const char* bad : {"- history: 99", "{}", "- 1", "[", "- history: keep_last\n  depth: -1"})
+    EXPECT_FALSE(parse_offered_qos(bad)) << bad;
 }
 
 // ---- metadata of strangers ----

@@ -1,4 +1,5 @@
-// Recording and replaying over DDS: nothing is lost, quality of service follows the publishers, types need not be known.
+// Recording and replaying over DDS: nothing is lost, quality of service follows the publishers, types need
+// not be known.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -158,7 +159,8 @@ TEST_F(BagTest, RecordsTypesItDoesNotKnow) {
 }
 
 TEST_F(BagTest, SelectsTopicsAsAsked) {
-  const TopicSelection all = select({}), named = select({"a"}), by_regex = select({}, "^/x"), both = select({"/a"}, "x", "y");
+  const TopicSelection all = select({}), named = select({"a"}), by_regex = select({}, "^/x"),
+                       both = select({"/a"}, "x", "y");
   EXPECT_TRUE(all.selects("/a"));
   EXPECT_FALSE(all.selects("/follow/_action/feedback")) << "hidden";
   EXPECT_TRUE(named.selects("/a"));
@@ -198,7 +200,8 @@ struct ReplayTest : BagTest {
 TEST_F(ReplayTest, PublishesWhatWasRecordedInItsTime) {
   record();
   std::vector<std::string> a;
-  auto subscription = node.subscribe<String>("/a", Qos::standard().keep_last(100), [&](const String& m) { a.push_back(m.data()); });
+  auto subscription = node.subscribe<String>("/a", Qos::standard().keep_last(100),
+                                             [&](const String& m) { a.push_back(m.data()); });
   auto made = player({.selection = select({}), .rate = 2.0});
   ASSERT_TRUE(made) << made.error().message;
   ASSERT_TRUE(subscription->wait_for_publishers());
@@ -219,9 +222,9 @@ TEST_F(ReplayTest, PublishesWhatWasRecordedInItsTime) {
 TEST_F(ReplayTest, PlaysTheClockAndLoopsUntilStopped) {
   record();
   std::vector<std::int64_t> times;
-  auto clock = node.subscribe<rosgraph_msgs::msg::Clock>("/clock", Qos::clock().keep_last(1000), [&](const auto& m) {
-    times.push_back(Time(m.clock()).nanoseconds);
-  });
+  auto clock = node.subscribe<rosgraph_msgs::msg::Clock>(
+      "/clock", Qos::clock().keep_last(1000),
+      [&](const auto& m) { times.push_back(Time(m.clock()).nanoseconds); });
   auto made = player({.selection = select({"/a"}), .rate = 5.0, .clock_hz = 200.0, .loop = true});
   ASSERT_TRUE(made) << made.error().message;
   ASSERT_TRUE(clock->wait_for_publishers());
@@ -229,7 +232,8 @@ TEST_F(ReplayTest, PlaysTheClockAndLoopsUntilStopped) {
   loop.run_for(200ms);
   EXPECT_EQ((*made)->message_count(), 25u) << "two rounds and a half";
   ASSERT_GT(times.size(), 3u);
-  EXPECT_GT(times.front(), 1'000'000'000'000'000'000) << "the recording's time, which is wall-clock time here";
+  EXPECT_GT(times.front(), 1'000'000'000'000'000'000)
+      << "the recording's time, which is wall-clock time here";
 }
 
 TEST_F(ReplayTest, SaysWhatCannotBePlayed) {
