@@ -25,6 +25,9 @@ struct StepInput {
   const Grounding* grounding = nullptr;  // null: grounding "none"
   std::span<const WorldState> states;    // oldest first; the last is now; never empty
   std::span<const Goal> goals;           // what was inferred at each earlier step: states.size() - 1 or fewer
+  // How far things were from the robot when the instruction came, by name [m]; null: unknown. Of several equal things a
+  // robot takes the nearest.
+  const std::map<std::string, double>* distances = nullptr;
 };
 
 // A trained model. infer() is a pure function of its input: the same input gives the same goal, on every call

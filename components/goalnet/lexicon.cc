@@ -35,6 +35,8 @@ void set_kinds(ObjectClass& c) {
 
 }  // namespace
 
+bool ObjectClass::is(std::string_view kind) const { return contains(kinds, kind); }
+
 std::string singular(const std::string& word) {
   const auto ends = [&](std::string_view tail) { return word.size() > tail.size() && word.ends_with(tail); };
   constexpr std::array<std::string_view, 14> kNoPlural = {"chips", "is",     "its",   "this", "has",
@@ -126,6 +128,23 @@ Expected<Lexicon> Lexicon::load(const std::filesystem::path& path, Symbols& symb
   return parse(text.str(), path.string(), symbols);
 }
 
+Expected<void> Lexicon::add_names(std::string_view text, const std::string& name) {
+  try {
+    const json file = json::parse(text);
+    for (const char* section : {"names", "also"})
+      for (const auto& [class_name, phrases] : file.at(section).items()) {
+        const auto known = class_by_name_.find(class_name);
+        if (known == class_by_name_.end()) continue;
+        for (const auto& phrase : phrases)
+          add_phrase(phrase.get_ref<const std::string&>(), known->second,
+                     section == std::string_view("names"));
+      }
+  } catch (const json::exception& error) {
+    return fail(Outcome::kInvalidRequest, name + ": " + error.what());
+  }
+  return {};
+}
+
 ClassId Lexicon::class_of(Symbol object, const Symbols& symbols) {
   const auto known = class_of_.find(object);
   if (known != class_of_.end()) return known->second;
@@ -154,6 +173,12 @@ NameLevel Lexicon::names(const std::string& phrase, Symbol object, ClassId objec
   if (contains(it->second.exact, object_class)) return NameLevel::kName;
   if (contains(it->second.generic, object_class)) return NameLevel::kGeneric;
   return NameLevel::kNone;
+}
+
+bool Lexicon::is_name_of(const std::string& phrase, std::string_view class_name) const {
+  const auto id = class_by_name_.find(std::string(class_name));
+  const auto it = phrases_.find(phrase);
+  return id != class_by_name_.end() && it != phrases_.end() && contains(it->second.exact, id->second);
 }
 
 void Lexicon::complete_objects(WorldState& state) const {

@@ -21,6 +21,7 @@ struct ObjectClass {
   std::vector<std::string> kinds{};  // movable, vessel, place, device, ...
   bool movable = false, vessel = false, place = false, food = false, drink = false, dish = false,
        utensil = false;
+  bool is(std::string_view kind) const;
 };
 
 // How well a phrase names an object.
@@ -37,6 +38,10 @@ class Lexicon {
   static Expected<Lexicon> parse(std::string_view json, const std::string& name, Symbols& symbols);
   static Expected<Lexicon> load(const std::filesystem::path& path, Symbols& symbols);
 
+  // More names of the classes: sections "names" and "also" of config/language/english.json. Classes that this
+  // lexicon lacks are passed over. Fails with kInvalidRequest.
+  Expected<void> add_names(std::string_view json, const std::string& name);
+
   // The class of an object. Objects the lexicon does not list get a class from their name ("Bottle_2" ->
   // "bottle"), added here, so that people can still name them.
   ClassId class_of(Symbol object, const Symbols& symbols);
@@ -46,6 +51,8 @@ class Lexicon {
   // How well `phrase` (normal words joined by one blank) names the object.
   NameLevel names(const std::string& phrase, Symbol object, ClassId object_class) const;
   bool is_name(const std::string& phrase) const { return phrases_.contains(phrase); }
+  // Whether the phrase is a name of that class, not only a word for many kinds of things.
+  bool is_name_of(const std::string& phrase, std::string_view class_name) const;
   bool is_word_of_name(const std::string& word) const { return words_.contains(word); }
   const std::unordered_map<std::string, int>& words() const { return words_; }
 

@@ -17,7 +17,10 @@ Expected<std::unique_ptr<GoalModel>> load_model(const std::filesystem::path& pat
                 path.string() + ": unknown kind of model \"" + *kind + "\"; known: ranker, network");
   auto parts = read_ranker(*file);
   if (!parts) return tl::unexpected(parts.error());
-  return std::make_unique<RankerModel>(std::move(*parts), use);
+  auto model = std::make_unique<RankerModel>(std::move(*parts), use);
+  if (use == ModelUse::kRobot)
+    if (auto read = model->read_language(); !read) return tl::unexpected(read.error());
+  return model;
 }
 
 }  // namespace goalnet::inference

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "components/goalnet/language/clause_parser.h"
+
 namespace goalnet::inference {
 namespace {
 
@@ -13,218 +15,474 @@ bool one_of(const std::string& word, const std::array<std::string_view, N>& word
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-constexpr std::array kInside = {"in"sv, "into"sv, "inside"sv};
-constexpr std::array kTo = {"on"sv,    "onto"sv, "to"sv, "at"sv,     "over"sv, "under"sv,   "underneath"sv,
-                            "below"sv, "near"sv, "by"sv, "beside"sv, "upon"sv, "towards"sv, "toward"sv};
-constexpr std::array kParticles = {"on"sv, "off"sv, "up"sv, "down"sv, "out"sv, "away"sv, "over"sv, "in"sv};
-constexpr std::array kPronouns = {"it"sv, "them"sv, "they"sv, "those"sv, "these"sv};
-constexpr std::array kJoins = {"and"sv, ","sv, "then"sv, "or"sv};
-constexpr std::array kAll = {"all"sv, "every"sv, "each"sv, "everything"sv};
-constexpr std::array<std::pair<std::string_view, int>, 12> kNumbers = {{{"one", 1},
-                                                                        {"two", 2},
-                                                                        {"three", 3},
-                                                                        {"four", 4},
-                                                                        {"five", 5},
-                                                                        {"1", 1},
-                                                                        {"2", 2},
-                                                                        {"3", 3},
-                                                                        {"4", 4},
-                                                                        {"5", 5},
-                                                                        {"both", 2},
-                                                                        {"couple", 2}}};
-constexpr std::array<std::pair<std::string_view, int>, 8> kOrdinals = {{{"first", 1},
-                                                                        {"second", 2},
-                                                                        {"third", 3},
-                                                                        {"fourth", 4},
-                                                                        {"1st", 1},
-                                                                        {"2nd", 2},
-                                                                        {"3rd", 3},
-                                                                        {"4th", 4}}};
-constexpr std::array kAdjectives = {"empty"sv, "full"sv,  "left"sv, "right"sv, "nearest"sv, "closest"sv,
-                                    "near"sv,  "other"sv, "hot"sv,  "clean"sv, "dirty"sv};
-
-template <std::size_t N>
-int number_of(const std::string& word, const std::array<std::pair<std::string_view, int>, N>& table) {
-  for (const auto& [name, value] : table)
-    if (name == word) return value;
-  return 0;
+constexpr std::array kParticles = {"on"sv,      "off"sv,   "up"sv,    "down"sv,    "out"sv,
+                                   "away"sv,    "over"sv,  "in"sv,    "back"sv,    "around"sv,
+                                   "through"sv, "aside"sv, "along"sv, "together"sv};
+constexpr std::array kSubordinate = {"if"sv,     "unless"sv,    "when"sv,    "once"sv,     "after"sv,
+                                     "before"sv, "while"sv,     "until"sv,   "because"sv,  "since"sv,
+                                     "so"sv,     "where"sv,     "without"sv, "whenever"sv, "as"sv,
+                                     "till"sv,   "otherwise"sv, "though"sv,  "although"sv};
+// Frames whose places say where the thing is, not where it should go: "take the cup on the counter".
+bool locates(Frame frame) {
+  return frame == Frame::kTake || frame == Frame::kWash || frame == Frame::kOpen || frame == Frame::kClose ||
+         frame == Frame::kFill || frame == Frame::kTurn || frame == Frame::kStart || frame == Frame::kStop ||
+         frame == Frame::kCool;
 }
-
-class Parser {
- public:
-  Parser(const Instruction& instruction, const Language& language)
-      : words_(instruction.words), mentions_(instruction.mentions), language_(language) {}
-
-  ParsedSentence parse() {
-    bool fresh = true;  // a verb may open a clause here
-    for (std::size_t i = 0; i < words_.size();) {
-      const std::string& word = words_[i];
-      const Mention* mention = mention_at(i);
-      if (word == ".") {
-        end_phrase_list();
-        fresh = true;
-        ++i;
-        continue;
-      }
-      if (one_of(word, kJoins)) {
-        fresh = true;
-        joined_ = true;
-        ++i;
-        continue;
-      }
-      const Frame frame = language_.verb(word);
-      const bool noun_here =
-          mention != nullptr && !(fresh && !joined_ && frame != Frame::kNone && mention_at(i + 1));
-      if (fresh && frame != Frame::kNone && !noun_here) {
-        open_clause(frame, word);
-        fresh = false;
-        ++i;
-        continue;
-      }
-      // "microwave the mug" at the start; "please", "could you" and the like keep the way open for the verb
-      if (fresh && current_ == nullptr && mention == nullptr && language_.filler(word)) {
-        ++i;
-        continue;
-      }
-      i = current_ == nullptr ? outside(i, mention) : inside(i, mention);
-      if (!(language_.filler(word) && mention == nullptr)) fresh = false;
-      joined_ = false;
-    }
-    return std::move(result_);
-  }
-
- private:
-  const Mention* mention_at(std::size_t at) const {
-    for (const Mention& mention : mentions_)
-      if (mention.begin == static_cast<int>(at)) return &mention;
-    return nullptr;
-  }
-
-  void open_clause(Frame frame, const std::string& verb) {
-    result_.clauses.push_back(
-        Clause{.frame = frame, .verb = verb, .phrases = {}, .particles = {}, .unknown = {}, .words = {verb}});
-    current_ = &result_.clauses.back();
-    role_ = Role::kDirect;
-    pending_ = {};
-    joined_ = false;
-  }
-
-  void end_phrase_list() {
-    role_ = Role::kDirect;
-    pending_ = {};
-    joined_ = false;
-  }
-
-  std::size_t outside(std::size_t i, const Mention* mention) {
-    const std::string& word = words_[i];
-    if (mention != nullptr) return static_cast<std::size_t>(mention->end);
-    if (!language_.filler(word) && !language_.known(word)) result_.stray.push_back(word);
-    return i + 1;
-  }
-
-  // Whether something that names a thing follows before the next join or preposition.
-  bool noun_follows(std::size_t i) const {
-    for (std::size_t k = i + 1; k < words_.size(); ++k) {
-      if (mention_at(k) != nullptr || one_of(words_[k], kPronouns)) return true;
-      if (words_[k] == "." || one_of(words_[k], kJoins)) return false;
-      if (one_of(words_[k], kTo) || one_of(words_[k], kInside) || words_[k] == "from" || words_[k] == "with")
-        return false;
-      if (!language_.known(words_[k])) return true;  // an unknown thing
-    }
-    return false;
-  }
-
-  void add_phrase(NounPhrase phrase) {
-    phrase.role = role_;
-    phrase.inside = inside_;
-    current_->phrases.push_back(std::move(phrase));
-    pending_ = {};
-  }
-
-  std::size_t inside(std::size_t i, const Mention* mention) {
-    const std::string& word = words_[i];
-    current_->words.push_back(word);
-    if (mention != nullptr) {
-      const std::size_t end = static_cast<std::size_t>(mention->end);
-      // Two names side by side: the first says which of the second ("the shelf pillow").
-      if (end < words_.size() && mention_at(end) != nullptr) {
-        pending_.modifier = mention->phrase;
-        return end;
-      }
-      NounPhrase phrase = pending_;
-      phrase.phrase = mention->phrase;
-      phrase.plural = mention->plural;
-      add_phrase(std::move(phrase));
-      return end;
-    }
-    if (one_of(word, kPronouns)) {
-      NounPhrase phrase;
-      phrase.pronoun = true;
-      phrase.plural = word != "it";
-      add_phrase(std::move(phrase));
-      return i + 1;
-    }
-    const bool turning = current_->frame == Frame::kTurn;
-    if (one_of(word, kParticles) &&
-        (turning || !noun_follows(i) || word == "up" || word == "down" || word == "away")) {
-      current_->particles.push_back(word);
-      return i + 1;
-    }
-    if (word == "out" || word == "off") {
-      current_->particles.push_back(word);
-      if (i + 1 < words_.size() && words_[i + 1] == "of") {
-        role_ = Role::kSource;
-        return i + 2;
-      }
-      return i + 1;
-    }
-    if (one_of(word, kInside) || one_of(word, kTo)) {
-      role_ = Role::kDestination;
-      inside_ = one_of(word, kInside);
-      pending_ = {};
-      return i + 1;
-    }
-    if (word == "from") {
-      role_ = Role::kSource;
-      return i + 1;
-    }
-    if (word == "with" || word == "using") {
-      role_ = Role::kWith;
-      return i + 1;
-    }
-    if (one_of(word, kAll)) pending_.all = true;
-    if (word == "some") pending_.some = true;
-    if (const int count = number_of(word, kNumbers)) pending_.count = count;
-    if (const int ordinal = number_of(word, kOrdinals)) pending_.ordinal = ordinal;
-    if (one_of(word, kAdjectives)) pending_.adjectives.push_back(word);
-    // An unknown word right before a name is an adjective nobody taught us; elsewhere it stands for a thing.
-    if (!language_.known(word) && mention_at(i + 1) == nullptr) current_->unknown.push_back(word);
-    return i + 1;
-  }
-
-  const std::vector<std::string>& words_;
-  const std::vector<Mention>& mentions_;
-  const Language& language_;
-  ParsedSentence result_;
-  Clause* current_ = nullptr;
-  Role role_ = Role::kDirect;
-  bool inside_ = false;
-  bool joined_ = false;
-  NounPhrase pending_;
-};
+// Frames that put one thing to another with "with".
+bool adds(Frame frame) {
+  return frame == Frame::kFill || frame == Frame::kAdd || frame == Frame::kSqueeze || frame == Frame::kMake ||
+         frame == Frame::kScoop || frame == Frame::kSwap || frame == Frame::kPour;
+}
+// Frames whose object may be followed by the state it should be in: "leave the door open".
+bool takes_state(Frame frame) {
+  return frame == Frame::kTake || frame == Frame::kPlace || frame == Frame::kMake || frame == Frame::kBring;
+}
 
 }  // namespace
 
 bool Clause::has(const std::string& word) const {
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return std::find(words.begin(), words.end(), word) != words.end() || has_particle(word) ||
+         std::any_of(phrases.begin(), phrases.end(),
+                     [&](const NounPhrase& p) { return p.phrase == word || p.has(word); });
 }
 
 bool Clause::has_particle(const std::string& word) const {
   return std::find(particles.begin(), particles.end(), word) != particles.end();
 }
 
-ParsedSentence parse_clauses(const Instruction& instruction, const Language& language) {
-  return Parser(instruction, language).parse();
+const NounPhrase* Clause::first(Role role) const {
+  for (const NounPhrase& phrase : phrases)
+    if (phrase.role == role) return &phrase;
+  return nullptr;
+}
+
+std::size_t ClauseParser::skip_joins(std::size_t at, std::size_t end) const {
+  while (at < end && (language_.joins(words_[at]) ||
+                      (language_.filler(words_[at]) && !reader_.starts(at, end) &&
+                       !language_.asks(words_[at]) && words_[at] != "i" && words_[at] != "we" &&
+                       !place_preposition(words_[at]) && !one_of(words_[at], kSubordinate) &&
+                       !one_of(words_[at], kParticles) && language_.verb(words_[at]) == Frame::kNone)))
+    ++at;
+  return at;
+}
+
+bool ClauseParser::harmless(std::size_t at) const {
+  return language_.filler(words_[at]) || language_.adverb(words_[at]);
+}
+
+// Whether the word is a verb here. "microwave" and "spoon" are things too: they are verbs before a thing.
+bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
+  if (at >= end || language_.verb(words_[at]) == Frame::kNone) return false;
+  const std::size_t name = reader_.name_length(at);
+  if (name == 0) return true;
+  if (name > 1) return false;
+  std::size_t next = at + 1;
+  while (next < end && (words_[next] == "up" || words_[next] == "out" || words_[next] == "on")) ++next;
+  if (next < end && (is_pronoun(words_[next]) || words_[next] == "that" || words_[next] == "this"))
+    return true;
+  return reader_.starts(next, end) && !(next == at + 1 && reader_.name_length(next) > 0 && at > 0 &&
+                                        (words_[at - 1] == "the" || words_[at - 1] == "a"));
+}
+
+bool ClauseParser::starts_clause(std::size_t at, std::size_t end) const {
+  if (at >= end) return false;
+  if (words_[at] == "not" || words_[at] == "never" || words_[at] == "wish" ||
+      one_of(words_[at], kSubordinate))
+    return true;
+  return opens_command(at, end);
+}
+
+std::size_t ClauseParser::skip_part(std::size_t at, std::size_t end) const {
+  while (at < end && words_[at] != ",") ++at;
+  return at;
+}
+
+void ClauseParser::add(Clause clause) {
+  if (insert_before_ < result_.clauses.size()) {
+    // "before putting the mug away, wash it": "it" was named by the clause that is done later
+    name_pronouns(clause, result_.clauses[insert_before_]);
+    result_.clauses.insert(result_.clauses.begin() + static_cast<long>(insert_before_), std::move(clause));
+    insert_before_ = SIZE_MAX;
+  } else {
+    result_.clauses.push_back(std::move(clause));
+  }
+}
+
+void ClauseParser::name_pronouns(Clause& clause, const Clause& by) const {
+  const NounPhrase* named = by.first(Role::kDirect);
+  if (named == nullptr || named->pronoun) return;
+  for (NounPhrase& phrase : clause.phrases) {
+    if (!phrase.pronoun || phrase.word == "there") continue;
+    const Role role = phrase.role;
+    const Where where = phrase.where;
+    phrase = *named;
+    phrase.role = role, phrase.where = where;
+  }
+}
+
+ParsedSentence ClauseParser::parse() {
+  for (std::size_t begin = 0; begin < words_.size();) {
+    std::size_t end = begin;
+    while (end < words_.size() && words_[end] != ".") ++end;
+    for (std::size_t at = begin; at < end;) {
+      const std::size_t next = clause(at, end);
+      at = std::max(next, at + 1);
+    }
+    fronted_.clear();
+    begin = end + 1;
+  }
+  return std::move(result_);
+}
+
+std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
+  at = skip_joins(at, end);
+  if (at >= end) return at;
+  const std::string& word = words_[at];
+  if (word == "not" || word == "never" || word == "without") {
+    std::size_t verb = at + 1;
+    while (verb < end && !opens_command(verb, end) && harmless(verb)) ++verb;
+    if (opens_command(verb, end)) return command(verb, end, Mood::kForbidden);
+    if (word == "without") {  // "without the spoon"
+      NounPhrase phrase;
+      const std::size_t done = reader_.read(verb, end, phrase);
+      if (done != verb) return done;
+    }
+    if (result_.problem.empty()) result_.problem = "it is not clear what \"" + word + "\" rules out";
+    return at + 1;
+  }
+  if (word == "ensure") {
+    std::size_t next = at + 1;
+    while (next < end && (words_[next] == "that" || words_[next] == "you" || words_[next] == "to")) ++next;
+    if (opens_command(next, end)) return command(next, end, Mood::kCommand);
+    ensured_ = true;
+    const std::size_t done = next < end ? statement(next, end) : next;
+    ensured_ = false;
+    return done;
+  }
+  if (word == "wish") return command(at, end, Mood::kCommand);
+  if (one_of(word, kSubordinate) && !(word == "so" && opens_command(skip_joins(at + 1, end), end)))
+    return subordinate(at, end);
+  if (word == "so") return at + 1;
+  if (opens_command(at, end)) return command(at, end, Mood::kCommand);
+  if (language_.asks(word)) return question(at, end);
+  // "in the sink, put the mug"
+  NounPhrase place;
+  if (const std::size_t done = reader_.read_place(at, end, place); done != at) {
+    const std::size_t next = skip_joins(done, end);
+    if (opens_command(next, end)) {
+      place.role = Role::kDestination;
+      fronted_ = {place};
+      return next;
+    }
+  }
+  return statement(at, end);
+}
+
+std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
+  const std::string& word = words_[at];
+  const std::size_t count = result_.clauses.size();
+  if (word == "if" || word == "unless" || word == "whenever") {
+    if (result_.problem.empty())
+      result_.problem = "conditions (\"" + word + " ...\") are not understood; say what to do now";
+    return skip_part(at, end);
+  }
+  if (word == "before" || word == "after" || word == "once" || word == "when") {
+    std::size_t verb = at + 1;
+    while (verb < end && !opens_command(verb, end) &&
+           (harmless(verb) || words_[verb] == "you" || words_[verb] == "have"))
+      ++verb;
+    if (verb < end && opens_command(verb, end)) {
+      const bool leading =
+          count == 0 || at == 0 || words_[at - 1] == "." || words_[at - 1] == "," || words_[at - 1] == "then";
+      if (word == "before" && leading) {
+        const std::size_t done = command(verb, end, Mood::kCommand);
+        if (result_.clauses.size() > count) insert_before_ = count;
+        return done;
+      }
+      if (word != "before" && !leading) insert_before_ = count - 1;  // "A after B": B first
+      return command(verb, end, Mood::kCommand);
+    }
+    if (verb >= end || words_[verb] == ",") return verb;  // "and after that, ..."
+    // "once the mug is full, ...", "when it is done": what was asked before is done by then
+    return skip_part(at, end);
+  }
+  if (word == "as" && at + 1 < end && (words_[at + 1] == "well" || words_[at + 1] == "soon")) return at + 2;
+  // until it is hot; because I am thirsty; so that I can sit down; where it belongs; while you are there
+  std::size_t next = at + 1;
+  while (next < end && words_[next] != "," &&
+         !(words_[next] == "and" && opens_command(skip_joins(next, end), end)))
+    ++next;
+  return next;
+}
+
+std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
+  Clause clause;
+  clause.mood = mood;
+  clause.verb = words_[at] == "wish" ? "bring" : language_.verb_base(words_[at]);
+  clause.wish = words_[at] == "wish";
+  clause.frame = clause.wish ? Frame::kTake : language_.verb(words_[at]);
+  clause.words = {clause.verb};
+  clause.phrases = fronted_;
+  fronted_.clear();
+  Role role = Role::kDirect;
+  Where where = Where::kTo;
+  std::size_t i = at + 1;
+  // "start boiling water", "go get the mug", "try to open it": the second verb is the one that counts
+  if (clause.frame == Frame::kGo || clause.frame == Frame::kStart || clause.frame == Frame::kTry ||
+      clause.frame == Frame::kStop) {
+    std::size_t k = i;
+    while (k < end && (words_[k] == "and" || words_[k] == "to" || words_[k] == "me" || words_[k] == "over" ||
+                       words_[k] == "ahead" || words_[k] == "there" || words_[k] == "by"))
+      ++k;
+    const bool and_only_go =
+        k == i || words_[i] != "and" || clause.frame == Frame::kGo || clause.frame == Frame::kTry;
+    if (k < end && and_only_go && opens_command(k, end) && clause.frame != Frame::kStop &&
+        !(reader_.name_length(k) > 0 && words_[k - 1] == "to"))
+      return command(k, end, mood);
+  }
+  while (i < end) {
+    const std::string& word = words_[i];
+    if (language_.joins(word)) {
+      const std::size_t next = skip_joins(i, end);
+      if (next >= end || starts_clause(next, end)) break;
+      NounPhrase phrase;
+      const std::size_t done = reader_.read(next, end, phrase);
+      if (done != next && !clause.phrases.empty()) {
+        const std::size_t after = skip_joins(done, end);
+        const bool statement_follows = done < end && (language_.copula(words_[done]) || phrase.person);
+        if (statement_follows && after == done) break;
+        for (std::size_t k = i; k < next; ++k) phrase.alternative = phrase.alternative || words_[k] == "or";
+        for (std::size_t k = i; k < next; ++k)
+          if (words_[k] == "except" || words_[k] == "but") phrase.role = Role::kExcept;
+        // "put the mug in the sink and the glass on the counter": the verb counts again
+        NounPhrase place;
+        if (role == Role::kDestination && phrase.role != Role::kExcept && done < end &&
+            reader_.read_place(done, end, place) != done) {
+          Clause again;
+          again.mood = clause.mood, again.verb = clause.verb, again.frame = clause.frame,
+          again.words = {clause.verb};
+          add(std::move(clause));
+          clause = std::move(again);
+          role = Role::kDirect, where = Where::kTo;
+        }
+        phrase.joined = role == Role::kDestination;
+        // a list goes on; after "with X and Y" or "on X and Y" only where nothing moves to a place of its own
+        if (phrase.role != Role::kExcept) phrase.role = role;
+        phrase.where = where;
+        clause.phrases.push_back(std::move(phrase));
+        i = done;
+        continue;
+      }
+      if (!clause.phrases.empty() && !reader_.starts(next, end) && !place_preposition(words_[next]) &&
+          !one_of(words_[next], kParticles) && !harmless(next) && !language_.known(words_[next]))
+        clause.unknown.push_back(words_[next]);
+      i = std::max(next, i + 1);
+      continue;
+    }
+    if (one_of(word, kSubordinate) || word == "not" || word == "never" || word == "wish") break;
+    if (word == "except" || (word == "other" && i + 1 < end && words_[i + 1] == "than")) {
+      NounPhrase phrase;
+      std::size_t k = i + 1;
+      while (k < end && (words_[k] == "for" || words_[k] == "than")) ++k;
+      const std::size_t done = reader_.read(k, end, phrase);
+      phrase.role = Role::kExcept;
+      NounPhrase place;
+      if (const std::size_t after = reader_.read_place(done, end, place); after != done)
+        phrase.at.push_back(place), i = after;
+      else
+        i = std::max(done, i + 1);
+      clause.phrases.push_back(std::move(phrase));
+      continue;
+    }
+    // "take the mug to fill it", "use the spoon to scoop ice cream"
+    if (word == "to" && i + 1 < end && opens_command(i + 1, end) && !reader_.name_length(i + 1)) {
+      ++i;
+      break;
+    }
+    clause.words.push_back(word);
+    const std::size_t next = argument(i, end, clause, role, where);
+    if (next == i) {
+      clause.words.pop_back();
+      break;
+    }
+    i = next;
+  }
+  if (!clause.state.empty() && language_.wanted_by_state(clause.state) != Frame::kNone &&
+      clause.mood != Mood::kStatement) {
+    // "do not leave the tap on" wants it off
+    if (clause.mood == Mood::kForbidden) {
+      if (const std::string opposite = language_.opposite_state(clause.state); !opposite.empty())
+        clause.state = opposite, clause.mood = Mood::kCommand;
+    }
+    clause.frame = language_.wanted_by_state(clause.state);
+    clause.verb = clause.state;
+  }
+  add(std::move(clause));
+  return i;
+}
+
+std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& clause, Role& role, Where& where) {
+  const std::string& word = words_[i];
+  const auto state_here = [&] {
+    return takes_state(clause.frame) && !clause.phrases.empty() &&
+           language_.wanted_by_state(word) != Frame::kNone &&
+           !(place_preposition(word) && reader_.starts(i + 1, end)) && reader_.name_length(i) == 0;
+  };
+  if (state_here() &&
+      !(word == "on" && clause.frame == Frame::kPlace && clause.verb != "leave" && clause.verb != "keep") &&
+      !((word == "off") && clause.verb != "leave" && clause.verb != "keep" && !clause.wish &&
+        clause.verb != "get" && clause.verb != "want")) {
+    clause.state = word;
+    return i + 1;
+  }
+  if ((clause.wish || clause.frame == Frame::kTake || clause.frame == Frame::kMake) &&
+      !clause.phrases.empty() && language_.verb(word) != Frame::kNone && language_.participle(word) &&
+      reader_.name_length(i) == 0) {
+    clause.frame = language_.verb(word);  // "I want the plates washed"
+    clause.verb = language_.verb_base(word);
+    return i + 1;
+  }
+  if (one_of(word, kParticles) &&
+      !(one_of(word, kParticles) && place_preposition(word) && reader_.starts(i + 1, end) &&
+        !(clause.first(Role::kDirect) == nullptr && (word == "on" || word == "over")))) {
+    if (const std::size_t done = particle(i, end, clause, role); done != i) return done;
+  }
+  if (word == "on" && clause.first(Role::kDirect) == nullptr &&
+      (clause.frame == Frame::kTurn || clause.frame == Frame::kStart || clause.frame == Frame::kPlace)) {
+    clause.particles.push_back(word);
+    return i + 1;
+  }
+  if (word == "there" && (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {
+    NounPhrase there;
+    there.role = Role::kDestination, there.pronoun = true, there.word = word;
+    clause.phrases.push_back(there);
+    return i + 1;
+  }
+  if (word == "here") {
+    clause.to_person = true;
+    return i + 1;
+  }
+  if (word == "from") {
+    role = Role::kSource;
+    where = Where::kTo;
+    NounPhrase phrase;
+    std::size_t from = i + 1;
+    Where inner = Where::kTo;
+    if (from < end && place_preposition(words_[from], &inner) && words_[from] != "to")
+      ++from;  // "from inside the fridge"
+    const std::size_t done = reader_.read(from, end, phrase, true);
+    if (done == from) return i + 1;
+    phrase.role = role, phrase.where = inner;
+    if (phrase.hand || phrase.person) return done;
+    clause.phrases.push_back(std::move(phrase));
+    return done;
+  }
+  if (word == "with" || word == "using" || word == "via") {
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(i + 1, end, phrase);
+    if (done == i + 1) return i + 1;
+    // "the cup with coffee"
+    if (!adds(clause.frame) && role == Role::kDirect && !clause.phrases.empty() &&
+        phrase.adjectives.empty() && phrase.modifier.empty() &&
+        language_.content(phrase.phrase) != symbol::kNone &&
+        language_.holds_things(clause.phrases.back().phrase) && clause.phrases.back().content.empty()) {
+      clause.phrases.back().content = phrase.phrase;
+      return done;
+    }
+    role = Role::kWith;
+    phrase.role = role;
+    if (!phrase.hand && !phrase.person) clause.phrases.push_back(std::move(phrase));
+    return done;
+  }
+  if (word == "for") {  // for me; for two minutes; for the guests
+    NounPhrase phrase;
+    std::size_t done = reader_.read(i + 1, end, phrase);
+    clause.to_person = clause.to_person || phrase.person;
+    if (done == i + 1 && done < end && !opens_command(done, end)) ++done;
+    if (done < end && language_.time_unit(words_[done])) ++done;
+    return done;
+  }
+  NounPhrase place;
+  if (const std::size_t done = reader_.read_place(i, end, place); done != i) {
+    if (place.person || place.hand) {
+      clause.to_person = true;
+      return done;
+    }
+    if (place.phrase.empty() && place.unknown && language_.time_unit(place.word))
+      return done;  // "in a minute"
+    const bool moves =
+        word == "to" || word == "into" || word == "onto" || word == "toward" || word == "towards";
+    if (locates(clause.frame) && !moves && !place.pronoun && !clause.phrases.empty() &&
+        clause.phrases.back().role == Role::kDirect && !clause.phrases.back().pronoun) {
+      clause.phrases.back().at.push_back(std::move(place));
+      return done;
+    }
+    role = Role::kDestination, where = place.where;
+    place.role = role;
+    clause.phrases.push_back(std::move(place));
+    return done;
+  }
+  // a second verb without a join: "turn on the tv put the remote down"
+  if (!clause.phrases.empty() && opens_command(i, end) && !language_.participle(word) &&
+      language_.wanted_by_state(word) == Frame::kNone)
+    return i;
+  NounPhrase phrase;
+  if (const std::size_t done = reader_.read(i, end, phrase); done != i) {
+    // "... the mug it is dirty": a statement begins
+    if (!clause.phrases.empty() && done < end && language_.copula(words_[done])) return i;
+    if (phrase.person) {
+      const bool speaks = words_[i] == "you" && done < end && language_.verb(words_[done]) == Frame::kNone &&
+                          !clause.phrases.empty();
+      if (speaks && !harmless(done)) return i;
+      clause.to_person = true;
+      return done;
+    }
+    phrase.role = role, phrase.where = where;
+    if (role == Role::kSource || role == Role::kWith)
+      phrase.role = clause.first(Role::kDirect) != nullptr ? role : Role::kDirect;
+    // "bring to the table the mug"
+    if (role == Role::kDestination && clause.first(Role::kDirect) == nullptr) phrase.role = Role::kDirect;
+    clause.phrases.push_back(std::move(phrase));
+    return done;
+  }
+  if (word == "i" || word == "we") return clause.phrases.empty() ? i + 1 : i;  // "... i cannot hear anything"
+  if (place_preposition(word) && i + 1 < end && words_[i + 1] != "." && !language_.known(words_[i + 1])) {
+    clause.unknown.push_back(words_[i + 1]);
+    return i + 2;
+  }
+  if (!harmless(i) && !place_preposition(word) && !one_of(word, kParticles) && !language_.known(word))
+    clause.unknown.push_back(word);
+  return i + 1;
+}
+
+std::size_t ClauseParser::particle(std::size_t i, std::size_t end, Clause& clause, Role& role) {
+  const std::string& word = words_[i];
+  const bool noun_next = reader_.starts(i + 1, end);
+  if ((word == "out" || word == "off") && i + 1 < end && words_[i + 1] == "of") {
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(i + 2, end, phrase);
+    role = Role::kSource;
+    phrase.role = role;
+    if (done != i + 2 && !phrase.hand) clause.phrases.push_back(std::move(phrase));
+    clause.particles.push_back(word);
+    return std::max(done, i + 2);
+  }
+  // "take the coke off the stove"
+  if (word == "off" && noun_next && clause.first(Role::kDirect) != nullptr && clause.frame != Frame::kTurn &&
+      clause.frame != Frame::kStop) {
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(i + 1, end, phrase);
+    role = Role::kSource;
+    phrase.role = role;
+    clause.phrases.push_back(std::move(phrase));
+    return done;
+  }
+  clause.particles.push_back(word);
+  return i + 1;
+}
+
+ParsedSentence parse_clauses(const Words& words, const Language& language, const Lexicon& lexicon) {
+  return ClauseParser(words, language, lexicon).parse();
 }
 
 }  // namespace goalnet::inference

@@ -4,45 +4,41 @@
 #include <string>
 #include <vector>
 
-#include "components/goalnet/language/language.h"
-#include "components/goalnet/ranker/instruction.h"
+#include "components/goalnet/language/noun_phrase.h"
 
 namespace goalnet::inference {
 
-enum class Role : std::uint8_t { kDirect, kDestination, kSource, kWith };
-
-// "both empty cups", "it", "the shelf pillow".
-struct NounPhrase {
-  Role role = Role::kDirect;
-  std::string phrase;  // normal form; empty for a pronoun
-  bool pronoun = false;
-  bool plural = false;
-  bool all = false;      // all, every, each
-  int count = 0;         // "two", "both"; 0 when not said
-  int ordinal = 0;       // "second" -> 2; 0 when not said
-  bool some = false;     // "some ice cream"
-  bool inside = false;   // "in", "into", "inside" before a destination
-  std::string modifier;  // "shelf" of "shelf pillow"
-  std::vector<std::string> adjectives;
+enum class Mood : std::uint8_t {
+  kCommand,    // "open the fridge"; also "the fridge should be open"
+  kForbidden,  // "do not open the fridge", "without opening the fridge"
+  kStatement,  // "the mug is dirty": says what "it" will mean, and what may be wished
+  kQuestion,   // "why is the salt there?"
 };
 
 struct Clause {
+  Mood mood = Mood::kCommand;
   Frame frame = Frame::kNone;
   std::string verb;
   std::vector<NounPhrase> phrases;
-  std::vector<std::string> particles;  // on, off, up, down, out, away
+  std::vector<std::string> particles;  // on, off, up, down, out, away, back
   std::vector<std::string> unknown;    // words that mean nothing here and stand where a thing should
   std::vector<std::string> words;
+  std::string state;       // "open" of "leave the door open", "dirty" of "the mug is dirty"
+  bool to_person = false;  // "bring me", "to the guest", "here"
+  bool wish = false;       // "I want a coke"
+  bool negative = false;   // of a statement: "is not on"
 
   bool has(const std::string& word) const;
   bool has_particle(const std::string& word) const;
+  const NounPhrase* first(Role role) const;
 };
 
 struct ParsedSentence {
-  std::vector<Clause> clauses;
-  std::vector<std::string> stray;  // unknown words outside any clause with a verb
+  std::vector<Clause> clauses;     // in the order in which they are to be done
+  std::vector<std::string> stray;  // words outside any clause that nobody could read
+  std::string problem;             // why the sentence cannot be a request at all ("if ..."); empty: none
 };
 
-ParsedSentence parse_clauses(const Instruction& instruction, const Language& language);
+ParsedSentence parse_clauses(const Words& words, const Language& language, const Lexicon& lexicon);
 
 }  // namespace goalnet::inference

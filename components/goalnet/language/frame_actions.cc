@@ -2,76 +2,160 @@
 
 #include <algorithm>
 
+#include "components/goalnet/language/home_rules.h"
+
 namespace goalnet::inference {
 namespace {
 
 using namespace symbol;
 
+bool contains(const std::vector<Symbol>& list, Symbol symbol) {
+  return std::find(list.begin(), list.end(), symbol) != list.end();
+}
+
 }  // namespace
 
-const NounPhrase* FrameActions::first(const Clause& clause, Role role) const {
-  for (const NounPhrase& phrase : clause.phrases)
-    if (phrase.role == role) return &phrase;
-  return nullptr;
-}
-
-std::string FrameActions::unknown_thing(const NounPhrase& phrase) const {
-  if (phrase.pronoun) return "it is not clear what \"it\" means here";
-  std::string nearest;
-  for (const Symbol object : resolver_.all(Sort::kMovable, now_))
-    if (nearest.empty()) nearest = resolver_.name(object);
-  return "there is no " + phrase.phrase + " here that this could be done with" +
-         (nearest.empty() ? "" : "; things that could be moved are, for example, " + nearest);
-}
-
-std::vector<Symbol> FrameActions::of_role(const Clause& clause, Role role, Sort sort, Problem& problem) {
-  const NounPhrase* source = first(clause, Role::kSource);
-  std::vector<Symbol> objects;
-  for (const NounPhrase& phrase : clause.phrases) {
-    if (phrase.role != role) continue;
-    std::vector<Symbol> chosen;
-    if (phrase.pronoun) {
-      chosen = last_;
-      if (chosen.empty())
-        for (const SymFact fact : now_.facts())
-          if (relation_of(fact) == Relation::kGrasping) chosen.push_back(object_of(fact));
-      if (!phrase.plural && chosen.size() > 1) chosen.erase(chosen.begin() + 1, chosen.end());
-    } else {
-      chosen = resolver_.chosen(
-          phrase, resolver_.options(phrase, sort, now_, role == Role::kDirect ? source : nullptr));
+std::string FrameActions::unknown_thing(const NounPhrase& phrase, Sort sort) const {
+  if (phrase.pronoun)
+    return "it is not clear what \"" + (phrase.word.empty() ? "it" : phrase.word) + "\" means here";
+  if (phrase.unknown) return language_.unknown_word(phrase.word);
+  if (phrase.bare()) return "it is not clear what is meant";
+  const std::string said = phrase.word.empty() ? phrase.phrase : phrase.word;
+  if (!resolver_.named(phrase).empty()) {
+    const std::string name = resolver_.name(resolver_.named(phrase).front());
+    switch (sort) {
+      case Sort::kMovable:
+        return now_.has(Relation::kIsGraspable, resolver_.named(phrase).front())
+                   ? "no " + said + " here is as the sentence says; there is " + name
+                   : name + " cannot be picked up";
+      case Sort::kPlace:
+        return "nothing can be put on or into " + name;
+      case Sort::kDevice:
+        return name + " cannot be turned on or off";
+      case Sort::kVessel:
+        return name + " is nothing that one could fill or pour from";
+      case Sort::kAny:
+        break;
     }
-    if (chosen.empty() && problem.empty()) problem = unknown_thing(phrase);
+    return "no " + said + " here is as the sentence says; there is " + name;
+  }
+  std::string examples;
+  int count = 0;
+  for (const Symbol object : resolver_.all(sort, now_))
+    if (count++ < 3) examples += (examples.empty() ? "" : ", ") + resolver_.name(object);
+  return "there is no " + said + " here" + (examples.empty() ? "" : "; there are, for example, " + examples);
+}
+
+void FrameActions::remember(const Objects& objects) {
+  if (objects.empty()) return;
+  history_.push_back(objects);
+  resolver_.remember(objects);
+}
+
+// What "it" and "them" mean: the newest things spoken of that are of the sort.
+FrameActions::Objects FrameActions::pronoun(const NounPhrase& phrase, Sort sort,
+                                            const Objects& not_these) const {
+  const auto fitting = [&](const Objects& from) {
+    Objects result;
+    const Objects all = resolver_.all(sort, now_);
+    for (const Symbol object : from) {
+      const bool burner = sort == Sort::kDevice && object >= kStoveFire_1 && object <= kStoveFire_4;
+      if ((burner || contains(all, object)) && !contains(not_these, object)) result.push_back(object);
+    }
+    return result;
+  };
+  if (phrase.word == "there") return last_destination_;
+  Objects found;
+  for (auto it = history_.rbegin(); it != history_.rend(); ++it) {
+    const Objects fit = fitting(*it);
+    for (const Symbol object : fit)
+      if (!contains(found, object)) found.push_back(object);
+    if (!found.empty() && (!phrase.plural || found.size() > 1)) break;
+  }
+  if (found.empty()) {
+    Objects held;
+    for (const SymFact fact : now_.facts())
+      if (relation_of(fact) == Relation::kGrasping) held.push_back(object_of(fact));
+    found = fitting(held);
+  }
+  if (!phrase.plural && found.size() > 1) found.erase(found.begin() + 1, found.end());
+  if (phrase.count > 0 && found.size() > static_cast<std::size_t>(phrase.count))
+    found.resize(static_cast<std::size_t>(phrase.count));
+  return found;
+}
+
+FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort sort, const Clause& clause) {
+  if (phrase.pronoun) return pronoun(phrase, sort, {});
+  if (phrase.bare() || phrase.unknown) return {};
+  NounPhrase located = phrase;
+  for (const NounPhrase& source : clause.phrases)
+    if (source.role == Role::kSource && !source.pronoun && phrase.role == Role::kDirect)
+      located.at.push_back(source);
+  Objects options = resolver_.options(located, sort, now_);
+  for (const NounPhrase& left_out : clause.phrases) {
+    if (left_out.role != Role::kExcept) continue;
+    NounPhrase these = left_out;
+    if (these.phrase.empty()) these.phrase = phrase.phrase;
+    const Objects excluded = resolver_.options(these, sort, now_);
+    std::erase_if(options, [&](Symbol object) { return contains(excluded, object); });
+  }
+  // "put a book on the shelf" means one that is not there yet
+  if (!avoid_.empty() && !phrase.plural && !phrase.all && phrase.role == Role::kDirect)
+    std::stable_partition(options.begin(), options.end(),
+                          [&](Symbol object) { return !contains(avoid_, resolver_.place_of(object, now_)); });
+  return resolver_.chosen(phrase, options);
+}
+
+FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role, Sort sort,
+                                                 Problem& problem) {
+  Objects objects;
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != role || (phrase.alternative && !objects.empty())) continue;
+    const Objects chosen = objects_of(phrase, sort, clause);
+    if (chosen.empty() && !phrase.alternative && problem.empty()) problem = unknown_thing(phrase, sort);
+    if (!chosen.empty() && phrase.alternative) problem.clear();
     for (const Symbol object : chosen)
-      if (std::find(objects.begin(), objects.end(), object) == objects.end()) objects.push_back(object);
+      if (!contains(objects, object)) objects.push_back(object);
   }
   return objects;
 }
 
-std::vector<Symbol> FrameActions::direct(const Clause& clause, Sort sort, Problem& problem) {
-  std::vector<Symbol> objects = of_role(clause, Role::kDirect, sort, problem);
+FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Problem& problem) {
+  Objects objects = role_objects(clause, Role::kDirect, sort, problem);
   if (objects.empty() && problem.empty()) problem = "it is not clear what to " + clause.verb;
-  if (problem.empty()) last_ = objects;
+  if (problem.empty()) remember(objects);
   return objects;
 }
 
-Symbol FrameActions::place(const Clause& clause, Problem& problem) {
-  const NounPhrase* phrase = first(clause, Role::kDestination);
-  if (phrase == nullptr || phrase->pronoun) return kNone;
-  auto options = resolver_.options(*phrase, Sort::kPlace, now_);
-  if (phrase->ordinal > 0) options = resolver_.chosen(*phrase, options);
+// Where things go: as many places as there are things when people say "each", otherwise one; a free one where
+// several are equal.
+FrameActions::Objects FrameActions::places(const NounPhrase& phrase, const Objects& for_these,
+                                           std::size_t wanted, Problem& problem) {
+  if (phrase.pronoun) {
+    Objects there = pronoun(phrase, Sort::kPlace, for_these);
+    if (there.empty() && problem.empty()) problem = "it is not clear where \"" + phrase.word + "\" is";
+    return there;
+  }
+  Objects options =
+      phrase.bare() || phrase.unknown ? Objects{} : resolver_.options(phrase, Sort::kPlace, now_);
+  std::erase_if(options, [&](Symbol option) { return contains(for_these, option); });
+  if (phrase.ordinal > 0 || phrase.has("last")) options = resolver_.chosen(phrase, options);
   if (options.empty()) {
-    if (problem.empty()) problem = "there is no place called " + phrase->phrase + " here";
-    return kNone;
+    if (problem.empty()) problem = unknown_thing(phrase, Sort::kPlace);
+    return {};
   }
-  // Of several equal places the free one: a burner with nothing on it, an empty seat.
-  for (const Symbol option : options) {
-    if (!resolver_.is_of_class(option, "burner")) break;
-    const bool taken = std::any_of(now_.facts().begin(), now_.facts().end(), [&](SymFact fact) {
-      return relation_of(fact) == Relation::kOn && object_of(fact) == option;
+  // Burners and seats: the free ones first. Of those that stay equal, the one that the things stand on
+  // already.
+  const ObjectClass* c = resolver_.class_of(options.front());
+  if (c != nullptr && (c->name == "burner" || c->name == "armchair"))
+    std::stable_partition(options.begin(), options.end(), [&](Symbol place) {
+      const Objects there = resolver_.things_at(place, now_);
+      return std::all_of(there.begin(), there.end(),
+                         [&](Symbol thing) { return contains(for_these, thing); });
     });
-    if (!taken) return option;
-  }
-  return options.front();
+  if (wanted > 1 && (phrase.all || phrase.count > 1 || phrase.plural)) return options;
+  options.erase(options.begin() + 1, options.end());
+  return options;
 }
 
 Symbol FrameActions::mentioned_content(const Clause& clause, Role role) const {
@@ -85,7 +169,9 @@ Symbol FrameActions::vessel_with(Symbol content) const {
   Symbol best = kNone;
   for (const Symbol vessel : resolver_.all(Sort::kVessel, now_)) {
     if (!now_.is(vessel, content)) continue;
-    if (best == kNone || now_.holds(vessel)) best = vessel;
+    if (best == kNone || now_.holds(vessel) ||
+        (!now_.holds(best) && resolver_.distance(vessel) < resolver_.distance(best)))
+      best = vessel;
   }
   return best;
 }
@@ -93,162 +179,168 @@ Symbol FrameActions::vessel_with(Symbol content) const {
 Symbol FrameActions::burner_for(Symbol object) const {
   for (Symbol burner = kStoveFire_1; burner <= kStoveFire_4; ++burner)
     if (now_.has(Relation::kOn, object, burner)) return burner;
-  for (Symbol burner = kStoveFire_1; burner <= kStoveFire_4; ++burner) {
-    if (resolver_.instruction().find(burner) < 0) continue;
-    const bool taken = std::any_of(now_.facts().begin(), now_.facts().end(), [&](SymFact fact) {
-      return relation_of(fact) == Relation::kOn && object_of(fact) == burner;
-    });
-    if (!taken) return burner;
-  }
-  return resolver_.instruction().find(kStoveFire_1) >= 0 ? Symbol{kStoveFire_1} : Symbol{kNone};
+  for (Symbol burner = kStoveFire_1; burner <= kStoveFire_4; ++burner)
+    if (resolver_.exists(burner) && !resolver_.taken(burner, now_)) return burner;
+  return resolver_.exists(kStoveFire_1) ? Symbol{kStoveFire_1} : Symbol{kNone};
+}
+
+Symbol FrameActions::surface() const {
+  for (const SeenObject& object : resolver_.objects())
+    if (resolver_.is_of_class(object.symbol, "counter")) return object.symbol;
+  for (const SeenObject& object : resolver_.objects())
+    if (resolver_.is_of_class(object.symbol, "coffee_table")) return object.symbol;
+  return kNone;
 }
 
 std::string FrameActions::act(const SymAction& macro) {
   const auto run = with_means(macro, now_);
   if (run.empty()) return "that cannot be done from here";
-  for (const SymAction& action : run) apply(action, now_);
+  SymDelta step;
+  std::vector<Symbol> handled = {macro.x, macro.y};
+  for (const SymAction& other : macros_) handled.push_back(other.x);
+  std::erase_if(handled, [&](Symbol object) { return !resolver_.is_vessel(object); });
+  for (const SymAction& action : run) {
+    if (action == macro) step = purpose(action, now_, handled);
+    apply_at_home(action, now_);
+  }
   macros_.push_back(macro);
+  steps_.push_back(std::move(step));
   return {};
 }
 
-std::string FrameActions::keep(Symbol x, Symbol y, bool inside) {
-  const ObjectClass* c = resolver_.class_of(y);
+std::string FrameActions::keep(Symbol x, Symbol y, Where where) {
   if (x == y) return "a thing cannot be put on itself";
-  const bool box = y == kMicrowave || y == kFridge || y == kGarbageBin_1 || y == kGarbageBag_1;
-  if (resolver_.is_of_class(x, "cd") && resolver_.is_of_class(y, "xbox")) return act({Verb::kInsert, x, y});
-  if (inside && c != nullptr && (c->vessel || c->dish) &&
-      (x == kRamen_1 || x == kBoiledEgg_1 || x == kSalt_1))
-    return act({Verb::kAdd, x, y});
-  const Verb verb = box || (inside && c != nullptr && (c->vessel || c->dish)) ? Verb::kKeepIn : Verb::kKeepOn;
+  const bool box = y == kMicrowave || y == kFridge || y == kGarbageBin_1 || y == kGarbageBag_1 ||
+                   y == kFridgeLeft || y == kFridgeRight;
+  if (resolver_.is_of_class(x, "cd") && resolver_.is_of_class(y, "xbox")) {
+    if (now_.has(Relation::kIn, x, y)) return {};
+    return act({Verb::kInsert, x, y});
+  }
+  if (y == kMicrowave && where == Where::kOn) return "nothing can be put on top of the microwave";
+  if (y == kFridge && where == Where::kOn) return "nothing can be put on top of the fridge";
+  const ObjectClass* c = resolver_.class_of(y);
+  const bool container = c != nullptr && (c->vessel || c->dish);
+  if (container && (where == Where::kIn || !c->dish || c->name == "bowl")) {
+    if (x == kRamen_1 || x == kBoiledEgg_1 || x == kSalt_1) {
+      if (x != kSalt_1 && now_.has(Relation::kIn, x, y)) return {};
+      return act({Verb::kAdd, x, y});
+    }
+    if (x == kSpoon_1 || x == kFork_1)
+      return now_.has(Relation::kIn, x, y) ? Problem{} : act({Verb::kPlace, x, y});
+  }
+  const Verb verb =
+      box || (where == Where::kIn && container && c->name != "plate") ? Verb::kKeepIn : Verb::kKeepOn;
   if (now_.has(verb == Verb::kKeepIn ? Relation::kIn : Relation::kOn, x, y)) return {};
   return act({verb, x, y});
 }
 
-std::string FrameActions::turn_on(Symbol device, bool on, int number) {
-  const auto set = [&](Symbol object, Symbol value, const SymAction& toggle) -> Problem {
-    return now_.is(object, value) == on ? Problem{} : act(toggle);
-  };
-  if (device == kSinkKnob) return set(kSinkKnob, kTapIsOn, {Verb::kTurn, kSinkKnob});
-  if (device == kTv_1 || device == kTv_1Remote_1) return set(kTv_1, kIsOn, {Verb::kPress, kTv_1PowerButton});
-  if (device == kFridge || device == kFridgeButton)
-    return set(kFridge, kWaterDispenserIsOpen, {Verb::kPress, kFridgeButton});
-  if (device == kMicrowave || device == kMicrowaveButton) {
-    if (on && now_.is(kMicrowave, kDoorIsOpen))
-      if (const Problem problem = act({Verb::kClose, kMicrowave}); !problem.empty()) return problem;
-    return set(kMicrowave, kMicrowaveIsOn, {Verb::kPress, kMicrowaveButton});
+void FrameActions::notice(const Clause& clause) {
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != Role::kDirect || phrase.pronoun || phrase.bare() || phrase.unknown) continue;
+    // what stands where the sentence says counts, not everything of that name
+    Objects objects = resolver_.options(phrase, Sort::kAny, now_);
+    if (!phrase.everything && !phrase.plural && !phrase.all && objects.size() > 1)
+      objects.erase(objects.begin() + 1, objects.end());
+    if (!objects.empty()) history_.push_back(objects);
   }
-  const auto knob = [&](int i) {
-    return set(kStove, static_cast<Symbol>(kStoveFire1 + i),
-               {Verb::kTurn, static_cast<Symbol>(kStoveKnob_1 + i)});
-  };
-  if (device >= kStoveFire_1 && device <= kStoveFire_4) return knob(device - kStoveFire_1);
-  if (device >= kStoveKnob_1 && device <= kStoveKnob_4) return knob(device - kStoveKnob_1);
-  if (device == kStove) {
-    if (number >= 1 && number <= 4) return knob(number - 1);
-    if (!on) {  // everything that burns
-      for (int i = 0; i < 4; ++i)
-        if (const Problem problem = knob(i); !problem.empty()) return problem;
-      return {};
-    }
-    // The burner under what was just put there, else under anything, else the first.
-    for (int i = 0; i < 4; ++i)
-      for (const Symbol object : last_)
-        if (now_.has(Relation::kOn, object, static_cast<Symbol>(kStoveFire_1 + i))) return knob(i);
-    return knob(0);
-  }
-  return "there is no switch on that";
 }
 
-std::string FrameActions::fill_with_water(Symbol vessel) {
-  if (resolver_.instruction().find(kSink) < 0) return "there is no tap here";
-  if (now_.is(vessel, kWater)) return {};
-  if (!now_.has(Relation::kOn, vessel, kSink))
-    if (const Problem problem = act({Verb::kKeepOn, vessel, kSink}); !problem.empty()) return problem;
-  if (now_.is(vessel, kWater)) return {};
-  if (now_.is(kSinkKnob, kTapIsOn)) return "the tap runs, but no water gets into it";
-  return act({Verb::kTurn, kSinkKnob});
+std::string FrameActions::check_forbidden(const Clause& clause, const SymState& start) const {
+  FrameActions other = *this;
+  other.macros_.clear();
+  other.steps_.clear();
+  other.now_ = start;
+  const std::string problem = other.add(clause);
+  SymState now = start;
+  for (const SymAction& macro : macros_) {
+    for (const SymAction& action : with_means(macro, now)) {
+      for (const SymAction& forbidden : other.macros_)
+        if (action == forbidden && problem.empty())
+          return "this cannot be done without what the sentence forbids";
+      apply(action, now);
+    }
+  }
+  // "without spilling anything", "don't break it": what nobody would do anyway
+  return {};
 }
 
 std::string FrameActions::add(const Clause& clause) {
   if (!clause.unknown.empty()) return language_.unknown_word(clause.unknown.front());
+  for (const NounPhrase& phrase : clause.phrases)
+    if (phrase.unknown) return language_.unknown_word(phrase.word);
   const SymState before = now_;
   const std::size_t count = macros_.size();
-  Problem problem;
+  const Problem problem = dispatch(clause);
+  if (!problem.empty()) {
+    now_ = before;
+    macros_.resize(count);
+    steps_.resize(count);
+  }
+  return problem;
+}
+
+std::string FrameActions::dispatch(const Clause& clause) {
   switch (clause.frame) {
     case Frame::kGo:
-      problem = go(clause);
-      break;
+      return go(clause);
     case Frame::kTake:
-      problem = take(clause);
-      break;
+      return take(clause);
     case Frame::kPlace:
     case Frame::kBring:
-      problem = put(clause);
-      break;
+      return put(clause);
     case Frame::kDiscard:
-      problem = discard(clause);
-      break;
+      return discard(clause);
     case Frame::kFill:
-      problem = fill(clause);
-      break;
+      return fill(clause);
     case Frame::kPour:
-      problem = pour(clause);
-      break;
+      return pour(clause);
     case Frame::kEmpty:
-      problem = empty(clause);
-      break;
+      return empty(clause);
     case Frame::kTurn:
-      problem = turn(clause, -1);
-      break;
+      return turn(clause, -1);
     case Frame::kStart:
-      problem = turn(clause, 1);
-      break;
+      return turn(clause, 1);
     case Frame::kStop:
-      problem = turn(clause, 0);
-      break;
+      return turn(clause, 0);
     case Frame::kOpen:
-      problem = door(clause, true);
-      break;
+      return door(clause, true);
     case Frame::kClose:
-      problem = door(clause, false);
-      break;
+      return door(clause, false);
     case Frame::kWash:
-      problem = wash(clause);
-      break;
+      return wash(clause);
     case Frame::kHeat:
-      problem = heat(clause, false);
-      break;
+      return heat(clause, false);
     case Frame::kBoil:
-      problem = heat(clause, true);
-      break;
+      return heat(clause, true);
     case Frame::kAdd:
     case Frame::kSqueeze:
-      problem = add_to(clause);
-      break;
+      return add_to(clause);
     case Frame::kScoop:
-      problem = scoop(clause);
-      break;
+      return scoop(clause);
     case Frame::kInsert:
-      problem = insert(clause);
-      break;
+      return insert(clause);
     case Frame::kRelease:
-      problem = release(clause);
-      break;
+      return release(clause);
     case Frame::kChange:
     case Frame::kMute:
     case Frame::kRaise:
     case Frame::kLower:
-      problem = television(clause);
-      break;
+      return clause.frame == Frame::kRaise && !about_television(clause) ? take(clause) : television(clause);
+    case Frame::kMake:
+      return make(clause);
+    case Frame::kSwap:
+      return swap(clause);
+    case Frame::kClear:
+      return clear(clause);
+    case Frame::kCool:
+      return cool(clause);
+    case Frame::kPlay:
+      return play(clause);
+    case Frame::kTry:
     case Frame::kNone:
-      problem = "there is no verb that a robot could act on";
       break;
   }
-  if (!problem.empty()) {
-    now_ = before;
-    macros_.erase(macros_.begin() + static_cast<long>(count), macros_.end());
-  }
-  return problem;
+  return "there is no verb that a robot could act on";
 }
 
 }  // namespace goalnet::inference

@@ -14,52 +14,88 @@ namespace goalnet::inference {
 class FrameActions {
  public:
   FrameActions(const Instruction& instruction, const Lexicon& lexicon, const Language& language,
-               const Symbols& symbols, const SymState& start)
-      : resolver_(instruction, lexicon, symbols), language_(language), now_(start) {}
+               const Symbols& symbols, const SymState& start, const Distances* distances)
+      : resolver_(instruction, lexicon, language, symbols, distances),
+        language_(language),
+        start_(start),
+        now_(start) {}
 
   // Adds what the clause asks for; otherwise adds nothing and says why not, in one sentence.
   std::string add(const Clause& clause);
+  // Takes note of what a statement or question is about: "it" means that from here on.
+  void notice(const Clause& clause);
+  // What a forbidden clause would do must not be among the actions; says which is.
+  std::string check_forbidden(const Clause& clause, const SymState& start) const;
   const std::vector<SymAction>& macros() const { return macros_; }
+  // What each of the actions is for.
+  const std::vector<SymDelta>& steps() const { return steps_; }
+  Resolver& resolver() { return resolver_; }
 
  private:
   using Problem = std::string;  // empty: none
+  using Objects = std::vector<Symbol>;
 
-  const NounPhrase* first(const Clause& clause, Role role) const;
-  std::vector<Symbol> direct(const Clause& clause, Sort sort, Problem& problem);
-  std::vector<Symbol> of_role(const Clause& clause, Role role, Sort sort, Problem& problem);
-  Symbol place(const Clause& clause, Problem& problem);
+  // frame_actions.cc: what is meant
+  Objects objects_of(const NounPhrase& phrase, Sort sort, const Clause& clause);
+  Objects pronoun(const NounPhrase& phrase, Sort sort, const Objects& not_these) const;
+  Objects direct(const Clause& clause, Sort sort, Problem& problem);
+  Objects role_objects(const Clause& clause, Role role, Sort sort, Problem& problem);
+  Objects places(const NounPhrase& phrase, const Objects& for_these, std::size_t wanted, Problem& problem);
   Symbol mentioned_content(const Clause& clause, Role role) const;
   Symbol vessel_with(Symbol content) const;
   Symbol burner_for(Symbol object) const;
-  Problem unknown_thing(const NounPhrase& phrase) const;
-
+  Symbol surface() const;  // where things go that have to go somewhere
+  Problem unknown_thing(const NounPhrase& phrase, Sort sort) const;
+  void remember(const Objects& objects);
   Problem act(const SymAction& macro);
-  Problem keep(Symbol x, Symbol y, bool inside);
-  Problem turn_on(Symbol device, bool on, int number);
-  Problem fill_with_water(Symbol vessel);
+  Problem keep(Symbol x, Symbol y, Where where);
+  Problem dispatch(const Clause& clause);
 
+  // frame_moves.cc: carrying things about
   Problem go(const Clause& clause);
   Problem take(const Clause& clause);
   Problem put(const Clause& clause);
+  Problem put_at(const Clause& clause, const Objects& objects, const NounPhrase& destination);
   Problem discard(const Clause& clause);
+  Problem release(const Clause& clause);
+  Problem swap(const Clause& clause);
+  Problem clear(const Clause& clause);
+  Problem cool(const Clause& clause);
+  Problem insert(const Clause& clause);
+  Problem play(const Clause& clause);
+
+  // frame_kitchen.cc: water, heat and food
   Problem fill(const Clause& clause);
+  Problem fill_one(Symbol vessel, Symbol content);
+  Problem fill_with_water(Symbol vessel);
   Problem pour(const Clause& clause);
   Problem empty(const Clause& clause);
-  Problem turn(const Clause& clause, int on);
-  Problem door(const Clause& clause, bool open);
   Problem wash(const Clause& clause);
   Problem heat(const Clause& clause, bool boil);
+  Problem heat_objects(const Objects& objects, bool microwave, const NounPhrase* where);
   Problem add_to(const Clause& clause);
+  Problem add_content(const NounPhrase& what, Symbol target, bool& done);
   Problem scoop(const Clause& clause);
-  Problem insert(const Clause& clause);
-  Problem release(const Clause& clause);
+  Problem scoop_into(Symbol target, int times);
+  Problem make(const Clause& clause);
+
+  // frame_devices.cc: doors, knobs and the television
+  Problem turn(const Clause& clause, int on);
+  Problem turn_on(Symbol device, bool on, int number);
+  bool is_on(Symbol device) const;
+  Problem door(const Clause& clause, bool open);
+  Problem open_or_close(Symbol thing, bool open, bool left, bool right);
   Problem television(const Clause& clause);
+  bool about_television(const Clause& clause) const;
 
   Resolver resolver_;
   const Language& language_;
-  SymState now_;
+  SymState start_, now_;
   std::vector<SymAction> macros_;
-  std::vector<Symbol> last_;  // what "it" means: the objects of the clause before
+  std::vector<SymDelta> steps_;
+  std::vector<Objects> history_;  // what "it" may mean, the newest last
+  Objects last_destination_;      // what "there" means
+  Objects avoid_;                 // places: what stands there already is not what should be put there
 };
 
 }  // namespace goalnet::inference

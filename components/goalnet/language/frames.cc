@@ -5,29 +5,82 @@
 #include "components/goalnet/language/frame_actions.h"
 
 namespace goalnet::inference {
+namespace {
+
+// "the mug is dirty", "somebody left the tap on": what somebody who says that would like to have done.
+bool make_wish(Clause& clause, const Language& language) {
+  if (clause.mood == Mood::kQuestion || clause.negative) return false;
+  if (clause.wish && clause.frame != Frame::kNone) return true;
+  const Frame frame = clause.state.empty() ? Frame::kNone : language.complaint(clause.state);
+  if (frame == Frame::kNone || clause.phrases.empty()) return false;
+  clause.frame = frame;
+  clause.verb = clause.state;
+  clause.state.clear();
+  std::erase_if(clause.phrases, [](const NounPhrase& phrase) { return phrase.role != Role::kDirect; });
+  return !clause.phrases.empty();
+}
+
+}  // namespace
 
 Understanding FrameReader::read(const Instruction& instruction, const SymState& start) const {
+  Words words;
+  words.text = instruction.words;
+  words.plural.assign(words.text.size(), false);
+  for (const Mention& mention : instruction.mentions)
+    if (mention.plural && mention.end > 0 && static_cast<std::size_t>(mention.end) <= words.plural.size())
+      words.plural[static_cast<std::size_t>(mention.end - 1)] = true;
+  return read(words, instruction, start, nullptr);
+}
+
+Understanding FrameReader::read(const Words& words, const Instruction& instruction, const SymState& start,
+                                const Distances* distances) const {
   Understanding result;
-  const ParsedSentence sentence = parse_clauses(instruction, language_);
-  if (sentence.clauses.empty()) {
+  ParsedSentence sentence = parse_clauses(words, language_, lexicon_);
+  const auto asks = [](const Clause& clause) { return clause.mood == Mood::kCommand; };
+  bool any_command = std::any_of(sentence.clauses.begin(), sentence.clauses.end(), asks);
+  if (!any_command) {
+    for (Clause& clause : sentence.clauses)
+      if (clause.mood == Mood::kStatement && make_wish(clause, language_)) {
+        clause.mood = Mood::kCommand;
+        result.indirect = any_command = true;
+        break;
+      }
+  }
+  if (!sentence.problem.empty()) result.problems.push_back(sentence.problem);
+  if (!any_command) {
     result.nothing_known = true;
-    std::string problem = "there is no verb that a robot could act on";
+    const bool forbids = std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
+                                     [](const Clause& clause) { return clause.mood == Mood::kForbidden; });
+    const bool only_asks = std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
+                                       [](const Clause& clause) { return clause.mood == Mood::kQuestion; });
+    std::string problem =
+        forbids     ? "the sentence forbids something but asks for nothing"
+        : only_asks ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
+                    : "there is no verb that a robot could act on";
     if (!sentence.stray.empty()) problem += "; " + language_.unknown_word(sentence.stray.front());
     result.problems.push_back(problem);
     return result;
   }
-  FrameActions actions(instruction, lexicon_, language_, symbols_, start);
-  std::size_t understood = 0;
+  FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances);
   for (const Clause& clause : sentence.clauses) {
-    const std::string problem = actions.add(clause);
-    if (problem.empty())
-      ++understood;
-    else
-      result.problems.push_back(problem);
+    if (clause.mood == Mood::kStatement || clause.mood == Mood::kQuestion) {
+      actions.notice(clause);
+      ++result.passed_over;
+      continue;
+    }
+    if (clause.mood == Mood::kForbidden) continue;
+    ++result.clauses;
+    if (const std::string problem = actions.add(clause); !problem.empty()) result.problems.push_back(problem);
   }
+  for (const Clause& clause : sentence.clauses)
+    if (clause.mood == Mood::kForbidden)
+      if (const std::string problem = actions.check_forbidden(clause, start); !problem.empty())
+        result.problems.push_back(problem);
   if (!sentence.stray.empty()) result.problems.push_back(language_.unknown_word(sentence.stray.front()));
   result.macros = actions.macros();
-  result.complete = understood == sentence.clauses.size() && sentence.stray.empty();
+  result.steps = actions.steps();
+  result.doubts = actions.resolver().doubts();
+  result.complete = result.problems.empty();
   return result;
 }
 

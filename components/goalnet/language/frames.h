@@ -6,15 +6,23 @@
 #include <vector>
 
 #include "components/goalnet/language/clause.h"
+#include "components/goalnet/language/resolve.h"
 #include "components/goalnet/sym_sim.h"
 
 namespace goalnet::inference {
 
 struct Understanding {
   std::vector<SymAction> macros;      // in order; see with_means
+  std::vector<SymDelta> steps;        // what each of them is for; empty where nothing
   bool complete = false;              // every clause was understood
   std::vector<std::string> problems;  // why a clause was not: one sentence each
   bool nothing_known = false;         // no verb, or nothing it could be about
+
+  // How the reading came about; what the confidence is made of.
+  Doubts doubts;
+  int clauses = 0;        // that ask for something
+  int passed_over = 0;    // statements, questions and fragments of which nothing was made
+  bool indirect = false;  // from "I am thirsty", "the mug is dirty"
 };
 
 class FrameReader {
@@ -22,7 +30,11 @@ class FrameReader {
   FrameReader(const Lexicon& lexicon, const Language& language, const Symbols& symbols)
       : lexicon_(lexicon), language_(language), symbols_(symbols) {}
 
+  // Reads the words that the instruction was seen with.
   Understanding read(const Instruction& instruction, const SymState& start) const;
+  // Reads `words`; of the instruction only the objects count. `distances` may be null.
+  Understanding read(const Words& words, const Instruction& instruction, const SymState& start,
+                     const Distances* distances) const;
 
  private:
   const Lexicon& lexicon_;

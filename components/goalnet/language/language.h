@@ -42,6 +42,19 @@ enum class Frame : std::uint8_t {
   kMute,
   kRaise,
   kLower,
+  kTry,    // "try to", "help me": only the verb behind it counts
+  kMake,   // a dish or a drink; or something hot, clean, ...
+  kSwap,   // two things change places
+  kClear,  // a place is freed of what stands there
+  kCool,
+  kPlay,  // a game on the console
+};
+
+// What a word of state ("open", "dirty") means for a verb that would bring it about or end it.
+struct StateWord {
+  Frame wanted = Frame::kNone;     // "should be open" -> kOpen
+  Frame complaint = Frame::kNone;  // "is dirty" -> kWash
+  std::string opposite;            // "open" -> "closed"
 };
 
 class Language {
@@ -49,14 +62,47 @@ class Language {
   // `lexicon` comes from the same text and must outlive this.
   static Expected<Language> parse(std::string_view json, const std::string& name, const Lexicon& lexicon,
                                   Symbols& symbols);
+  // Adds what a robot needs to understand people (config/language/english.json, words.json): more verbs and
+  // small words, ways of saying the same, states, wishes, other words for known ones. Fails with
+  // kInvalidRequest.
+  Expected<void> add_english(std::string_view json, const std::string& name);
+  Expected<void> add_other_words(std::string_view json, const std::string& name);
 
-  Frame verb(const std::string& word) const;
-  Symbol content(const std::string& phrase) const;  // kWater for "water"; kNone otherwise
+  Frame verb(const std::string& word) const;             // of any form: "filling", "taken"
+  std::string verb_base(const std::string& word) const;  // "filling" -> "fill"
+  bool participle(const std::string& word) const;        // "filled", "washing"
+  Symbol content(const std::string& phrase) const;       // kWater for "water"; kNone otherwise
   bool filler(const std::string& word) const { return fillers_.contains(word); }
+  bool adverb(const std::string& word) const;  // "carefully": changes nothing
   bool known(const std::string& word) const;
+  bool real_word(const std::string& word) const {
+    return real_words_.contains(word);
+  }                                                     // English, though unknown here
+  bool names_something(const std::string& word) const;  // a verb or a word of a name
+  bool small_word(const std::string& word) const;       // the, on, it, ...: where blanks get lost
+  bool meaningful(const std::string& word) const {
+    return verb(word) != Frame::kNone || names_something(word);
+  }
+  bool joins(const std::string& word) const;   // and, then, ",", or
+  bool copula(const std::string& word) const;  // is, has, looks, ...
+  bool asks(const std::string& word) const { return questions_.contains(word); }
+  bool time_unit(const std::string& word) const;
+  bool holds_things(const std::string& phrase) const;  // "cup", "plate": "a cup of coffee"
+  bool side_or_part(const std::string& phrase) const;  // "door", "side": "the door of the fridge"
+  bool tv_word(const std::string& phrase) const;       // channel, volume, sound
+  bool keeps_its_s(const std::string& word) const;     // "this", "perhaps": no plurals
+
+  Frame wanted_by_state(const std::string& word) const;
+  Frame complaint(const std::string& word) const;
+  std::string opposite_state(const std::string& word) const;
+  // "thirsty" -> the words of a command; null where there is none.
+  const std::vector<std::string>* wish(const std::string& word) const;
+  // Replaces ways of saying the same; never longer than `most` words.
+  std::vector<std::string> rewrite(std::vector<std::string> words, std::size_t most) const;
 
   // The word itself when known; else the only known word within a small typing error (one letter wrong,
-  // missing, extra or two swapped; two such in words of eight letters or more); else the word itself.
+  // missing, extra or two swapped; two such in words of eight letters or more); else the word itself. English
+  // words that are merely unknown here are no typing errors.
   std::string correct(const std::string& word) const;
   // The known word nearest in spelling, for "did you mean"; empty when nothing is near.
   std::string nearest(const std::string& word) const;
@@ -64,15 +110,23 @@ class Language {
   std::string unknown_word(const std::string& word) const;
   // Words that training saw in instructions: known, though no verb and no name.
   void add_known(const std::string& word) { seen_.insert(word); }
-  // Other words for known ones ("deposit" -> "put"), for example from WordNet.
-  void add_synonym(const std::string& word, const std::string& known);
+  // Another word for a known one ("deposit" -> "put"), from WordNet; the word itself where there is none.
   const std::string& synonym(const std::string& word) const;
 
  private:
+  struct Rewrite {
+    std::vector<std::string> from, to;
+  };
+  void collect_vocabulary();
+
   std::vector<std::string> vocabulary_;  // sorted; what typing errors are corrected to
   std::unordered_map<std::string, Frame> verbs_;
+  std::unordered_map<std::string, std::string> inflected_;  // "taken" -> "take"
   std::unordered_map<std::string, Symbol> contents_;
-  std::unordered_set<std::string> fillers_, seen_;
+  std::unordered_set<std::string> fillers_, seen_, questions_, real_words_, no_adverbs_;
+  std::unordered_map<std::string, StateWord> states_;
+  std::unordered_map<std::string, std::vector<std::string>> wishes_;
+  std::unordered_map<std::string, std::vector<Rewrite>> rewrites_;  // by first word, longest first
   std::unordered_map<std::string, std::string> synonyms_;
   const Lexicon* lexicon_ = nullptr;
 };

@@ -7,6 +7,21 @@ namespace {
 
 using namespace symbol;
 
+constexpr int kFault = 1;         // of an adjective
+constexpr int kGraveFault = 100;  // names another object: wrong number, wrong content
+constexpr double kFar = 1000.0;
+
+bool contains(const std::vector<Symbol>& list, Symbol symbol) {
+  return std::find(list.begin(), list.end(), symbol) != list.end();
+}
+
+// The number at the end of a name: "Pillow_4" -> 4.
+int number_of(const std::string& name) {
+  const std::size_t at = name.find_last_not_of("0123456789");
+  if (at == std::string::npos || at + 1 >= name.size() || name.size() - at > 6) return 0;
+  return std::stoi(name.substr(at + 1));
+}
+
 }  // namespace
 
 const ObjectClass* Resolver::class_of(Symbol object) const {
@@ -20,6 +35,22 @@ bool Resolver::is_of_class(Symbol object, std::string_view class_name) const {
   return c != nullptr && c->name == class_name;
 }
 
+bool Resolver::is_vessel(Symbol object) const {
+  const ObjectClass* c = class_of(object);
+  return c != nullptr && (c->vessel || c->name == "bowl");
+}
+
+double Resolver::distance(Symbol object) const {
+  if (distances_ == nullptr) return kFar;
+  const auto it = distances_->find(symbols_.name(object));
+  return it == distances_->end() ? kFar : it->second;
+}
+
+void Resolver::remember(const std::vector<Symbol>& objects) {
+  for (const Symbol object : objects)
+    if (!contains(spoken_, object)) spoken_.push_back(object);
+}
+
 bool Resolver::fits(Symbol object, Sort sort, const SymState& now) const {
   const ObjectClass* c = class_of(object);
   if (c == nullptr) return false;
@@ -30,11 +61,12 @@ bool Resolver::fits(Symbol object, Sort sort, const SymState& now) const {
     case Sort::kMovable:
       return movable;
     case Sort::kPlace:
-      return c->place || c->dish || c->vessel || c->name == "xbox" || c->name == "garbage_bag";
+      return c->place || c->dish || c->vessel || c->name == "xbox" || c->name == "garbage_bag" ||
+             object == kFridgeLeft || object == kFridgeRight;
     case Sort::kDevice:
       return std::find(c->kinds.begin(), c->kinds.end(), "device") != c->kinds.end();
     case Sort::kVessel:
-      return movable && (c->vessel || c->dish);
+      return movable && is_vessel(object);
   }
   return false;
 }
@@ -46,14 +78,57 @@ std::vector<Symbol> Resolver::all(Sort sort, const SymState& now) const {
   return result;
 }
 
-bool Resolver::is_at(Symbol object, const std::string& place_phrase, const SymState& now) const {
+std::vector<Symbol> Resolver::things_at(Symbol place, const SymState& now) const {
+  std::vector<Symbol> result;
+  for (const SymFact fact : now.facts())
+    if ((relation_of(fact) == Relation::kOn || relation_of(fact) == Relation::kIn) &&
+        object_of(fact) == place && subject_of(fact) != place)
+      result.push_back(subject_of(fact));
+  return result;
+}
+
+bool Resolver::taken(Symbol place, const SymState& now) const { return !things_at(place, now).empty(); }
+
+Symbol Resolver::xbox() const {
+  for (const SeenObject& object : instruction_.objects)
+    if (is_of_class(object.symbol, "xbox")) return object.symbol;
+  return kNone;
+}
+
+Symbol Resolver::ice_cream() const {
+  for (const SeenObject& object : instruction_.objects)
+    if (is_of_class(object.symbol, "ice_cream")) return object.symbol;
+  return kNone;
+}
+
+Symbol Resolver::place_of(Symbol object, const SymState& now) const {
+  for (const SymFact fact : now.facts())
+    if ((relation_of(fact) == Relation::kOn || relation_of(fact) == Relation::kIn) &&
+        subject_of(fact) == object && object_of(fact) != object)
+      return object_of(fact);
+  return kNone;
+}
+
+bool Resolver::is_at(Symbol object, const NounPhrase& place, const SymState& now) const {
+  if (place.pronoun || place.phrase.empty()) return true;  // "on it": whatever that is
+  const auto fits_place = [&](Symbol at) {
+    const int found = instruction_.find(at);
+    if (found < 0) return false;
+    const SeenObject& seen = instruction_.objects[static_cast<std::size_t>(found)];
+    if (level(place, seen.symbol, seen.class_id, Sort::kPlace, now) == NameLevel::kNone) return false;
+    const int which = place.number > 0 ? place.number : place.ordinal;
+    return which == 0 || number_of(symbols_.name(at)) == which ||
+           (number_of(symbols_.name(at)) == 0 && which == 1);
+  };
   for (const SymFact fact : now.facts()) {
     if (relation_of(fact) != Relation::kOn && relation_of(fact) != Relation::kIn) continue;
-    if (subject_of(fact) != object) continue;
-    const int place = instruction_.find(object_of(fact));
-    if (place < 0) continue;
-    const SeenObject& seen = instruction_.objects[static_cast<std::size_t>(place)];
-    if (lexicon_.names(place_phrase, seen.symbol, seen.class_id) != NameLevel::kNone) return true;
+    if (subject_of(fact) == object && fits_place(object_of(fact))) return true;
+    // "next to the xbox", "the burner under the kettle"
+    if (place.where == Where::kNear && subject_of(fact) == object)
+      for (const Symbol other : things_at(object_of(fact), now))
+        if (other != object && fits_place(other)) return true;
+    if (place.where == Where::kUnder && object_of(fact) == object && fits_place(subject_of(fact)))
+      return true;
   }
   return false;
 }
@@ -64,64 +139,149 @@ bool Resolver::is_empty(Symbol object, const SymState& now) const {
   return true;
 }
 
-std::vector<Symbol> Resolver::options(const NounPhrase& phrase, Sort sort, const SymState& now,
-                                      const NounPhrase* source) const {
-  struct Option {
-    Symbol symbol;
-    int cost;
-    std::string name;
+NameLevel Resolver::level(const NounPhrase& phrase, Symbol object, ClassId class_id, Sort sort,
+                          const SymState& now) const {
+  if (phrase.everything) return NameLevel::kGeneric;
+  NameLevel found = lexicon_.names(phrase.phrase, object, class_id);
+  const std::string& name = lexicon_.object_class(class_id).name;
+  if (sort == Sort::kPlace) {
+    // Things are put on the burners when people say "stove", in the sink when they say "tap".
+    if (name == "burner" && lexicon_.is_name_of(phrase.phrase, "stove"))
+      found = std::max(found, NameLevel::kName);
+    if (name == "sink" && lexicon_.is_name_of(phrase.phrase, "tap") && found == NameLevel::kNone)
+      found = NameLevel::kGeneric;
+  }
+  if (found == NameLevel::kGeneric && phrase.phrase == "drink" && !lexicon_.object_class(class_id).drink)
+    return NameLevel::kNone;  // "the drinks" are drinks, not cups that may hold some
+  // What is in a cup names the cup.
+  if (const Symbol content = language_.content(phrase.phrase);
+      content != kNone && sort != Sort::kPlace && found < NameLevel::kName && is_vessel(object))
+    return now.is(object, content) ? NameLevel::kName : found;
+  return found;
+}
+
+int Resolver::faults(const NounPhrase& phrase, const SeenObject& seen, const SymState& now) const {
+  const Symbol object = seen.symbol;
+  int count = 0;
+  const auto wants = [&](const char* adjective, bool holds) {
+    count += phrase.has(adjective) && !holds ? kFault : 0;
   };
+  wants("empty", is_empty(object, now));
+  wants("full", !is_empty(object, now));
+  wants("free", !taken(object, now));
+  wants("hot", now.is(object, ktemperatureHigh));
+  wants("warm", now.is(object, ktemperatureHigh));
+  wants("boiling", now.is(object, ktemperatureHigh));
+  wants("cold", !now.is(object, ktemperatureHigh));
+  wants("wet", now.is(object, kWater));
+  wants("held", now.holds(object));
+  wants("clean", !is_empty(object, now) ? now.is(object, kWater) : true);
+  const bool spoken = spoken_.empty() ? now.holds(object) || now.near(object) : contains(spoken_, object);
+  wants("other", !spoken);
+  wants("different", !spoken);
+  wants("next", !spoken);
+  wants("same", spoken);
+  if (object >= kStoveFire_1 && object <= kStoveFire_4)
+    wants("lit", now.is(kStove, static_cast<Symbol>(kStoveFire1 + (object - kStoveFire_1))));
+  if (phrase.rest && spoken) count += kGraveFault;
+  if (phrase.number > 0 && number_of(symbols_.name(object)) != phrase.number &&
+      !(phrase.number == 1 && number_of(symbols_.name(object)) == 0))
+    count += kGraveFault;
+  if (!phrase.content.empty()) {
+    const Symbol content = language_.content(phrase.content);
+    if (content != kNone && !now.is(object, content)) count += kGraveFault;
+  }
+  if (!phrase.modifier.empty()) {
+    NounPhrase place;
+    place.phrase = phrase.modifier;
+    const Symbol content = language_.content(phrase.modifier);
+    if (!is_at(object, place, now) && !(content != kNone && now.is(object, content)) &&
+        lexicon_.names(phrase.modifier, object, seen.class_id) == NameLevel::kNone)
+      count += kFault;
+  }
+  for (const NounPhrase& place : phrase.at)
+    if (!is_at(object, place, now)) count += kFault;
+  return count;
+}
+
+std::vector<Symbol> Resolver::named(const NounPhrase& phrase) const {
+  std::vector<Symbol> result;
+  for (const SeenObject& object : instruction_.objects)
+    if (lexicon_.names(phrase.phrase, object.symbol, object.class_id) != NameLevel::kNone)
+      result.push_back(object.symbol);
+  return result;
+}
+
+std::vector<Symbol> Resolver::options(const NounPhrase& phrase, Sort sort, const SymState& now) {
   std::vector<Option> found;
-  NameLevel best = NameLevel::kNone;
   for (const SeenObject& object : instruction_.objects) {
-    const NameLevel level = lexicon_.names(phrase.phrase, object.symbol, object.class_id);
-    if (level == NameLevel::kNone || !fits(object.symbol, sort, now)) continue;
+    if (!fits(object.symbol, sort, now)) continue;
+    const NameLevel name_level = level(phrase, object.symbol, object.class_id, sort, now);
+    if (name_level == NameLevel::kNone) continue;
     const ObjectClass& c = lexicon_.object_class(object.class_id);
-    if (sort == Sort::kPlace && !c.place && level == NameLevel::kGeneric) continue;
-    if (level > best) best = level, found.clear();
-    if (level < best) continue;
-    int cost = 0;
-    for (const std::string& adjective : phrase.adjectives) {
-      if (adjective == "empty" && !is_empty(object.symbol, now)) cost += 100;
-      if (adjective == "full" && is_empty(object.symbol, now)) cost += 100;
-      if ((adjective == "near" || adjective == "nearest" || adjective == "closest") &&
-          !now.near(object.symbol))
-        cost += 50;
-      if (adjective == "other" && (now.holds(object.symbol) || now.near(object.symbol))) cost += 50;
-    }
-    if (!phrase.modifier.empty() && is_at(object.symbol, phrase.modifier, now)) cost -= 200;
-    if (source != nullptr && !source->phrase.empty() && is_at(object.symbol, source->phrase, now))
-      cost -= 200;
-    if (now.holds(object.symbol))
-      cost -= 4;
+    if (sort == Sort::kPlace && !c.place && name_level == NameLevel::kGeneric && !is_vessel(object.symbol))
+      continue;
+    if (phrase.everything && sort == Sort::kMovable && c.place) continue;
+    double order = distance(object.symbol);
+    if (phrase.has("farthest")) order = order < kFar ? -order : kFar;
+    if (now.holds(object.symbol) && !phrase.has("other"))
+      order -= 3 * kFar;
     else if (now.near(object.symbol))
-      cost -= 2;
-    found.push_back({object.symbol, cost, symbols_.name(object.symbol)});
+      order -= phrase.has("farthest") ? -kFar : 0.5;
+    found.push_back(
+        {object.symbol, faults(phrase, object, now), name_level, order, symbols_.name(object.symbol)});
   }
-  std::sort(found.begin(), found.end(), [](const Option& a, const Option& b) {
-    return a.cost != b.cost ? a.cost < b.cost : a.name < b.name;
+  if (found.empty()) return {};
+  const auto best = std::min_element(found.begin(), found.end(), [](const Option& a, const Option& b) {
+    return a.faults != b.faults ? a.faults < b.faults : a.level > b.level;
   });
-  // What is said of a thing ("empty", "from the shelf") binds: others are left out when some fit.
-  if (!found.empty()) {
-    const bool strict = found.front().cost < 50;
-    std::erase_if(found, [&](const Option& o) {
-      return (strict && o.cost >= 50) || (found.front().cost <= -200 && o.cost > -150);
-    });
-  }
+  const int fewest = best->faults;
+  const NameLevel top = best->level;
+  if (fewest >= kGraveFault) return {};
+  std::erase_if(found, [&](const Option& o) { return o.faults > fewest || o.level < top; });
+  std::sort(found.begin(), found.end(), [](const Option& a, const Option& b) {
+    return a.order != b.order ? a.order < b.order : a.name < b.name;
+  });
+  doubts_.loose += fewest > 0;
+  doubts_.vague += phrase.vague && found.size() > 1;
+  doubts_.generic += top == NameLevel::kGeneric && !phrase.everything;
   std::vector<Symbol> result;
   for (const Option& option : found) result.push_back(option.symbol);
   return result;
 }
 
-std::vector<Symbol> Resolver::chosen(const NounPhrase& phrase, std::vector<Symbol> options) const {
-  if (phrase.ordinal > 0 && options.size() >= static_cast<std::size_t>(phrase.ordinal))
-    return {options[static_cast<std::size_t>(phrase.ordinal - 1)]};
+std::vector<Symbol> Resolver::chosen(const NounPhrase& phrase, std::vector<Symbol> options) {
+  if (phrase.ordinal > 0) {
+    // "the second armchair": by its name, else the second in the row
+    for (const Symbol option : options)
+      if (number_of(symbols_.name(option)) == phrase.ordinal) return {option};
+    if (options.size() >= static_cast<std::size_t>(phrase.ordinal)) {
+      std::sort(options.begin(), options.end(),
+                [&](Symbol a, Symbol b) { return symbols_.name(a) < symbols_.name(b); });
+      return {options[static_cast<std::size_t>(phrase.ordinal - 1)]};
+    }
+    return {};
+  }
+  if (phrase.has("last") && !options.empty()) {
+    return {*std::max_element(options.begin(), options.end(),
+                              [&](Symbol a, Symbol b) { return symbols_.name(a) < symbols_.name(b); })};
+  }
   std::size_t count = 1;
-  if (phrase.all || (phrase.plural && phrase.count == 0))
-    count = options.size();
-  else if (phrase.count > 0)
+  if (phrase.count > 0)
     count = static_cast<std::size_t>(phrase.count);
-  if (options.size() > count) options.erase(options.begin() + static_cast<long>(count), options.end());
+  else if (phrase.all || (phrase.plural && !phrase.some))
+    count = options.size();
+  else if (phrase.some && phrase.plural)
+    count = std::min<std::size_t>(2, options.size());
+  if (phrase.count > 0 && options.size() < count && !phrase.scoop) {
+    if (options.size() + 1 < count || options.empty()) return {};  // "five plates" where there are two
+    ++doubts_.loose;
+  }
+  if (options.size() > count) {
+    const bool told = distances_ != nullptr && distance(options[count - 1]) < distance(options[count]);
+    doubts_.ties += told ? 0 : 1;
+    options.erase(options.begin() + static_cast<long>(count), options.end());
+  }
   return options;
 }
 

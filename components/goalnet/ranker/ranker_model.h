@@ -9,6 +9,7 @@
 #include "components/goalnet/goal_model.h"
 #include "components/goalnet/language/frames.h"
 #include "components/goalnet/language/language.h"
+#include "components/goalnet/language/robot_language.h"
 #include "components/goalnet/ranker/ranker.h"
 #include "components/goalnet/safetensors.h"
 
@@ -34,6 +35,8 @@ Expected<void> write_ranker(const RankerParts& parts, const std::string& path);
 class RankerModel : public GoalModel {
  public:
   RankerModel(RankerParts parts, ModelUse use);
+  // Needed before infer() where the use is kRobot: config/language. Fails with kInvalidRequest.
+  Expected<void> read_language();
   std::string_view kind() const override { return "ranker"; }
 
  private:
@@ -46,10 +49,11 @@ class RankerModel : public GoalModel {
   Expected<Goal> do_infer(const StepInput& input) override;
   Decoded decode(const StepInput& input);
   Decoded decode_benchmark(const Instruction& instruction, const SymState& start, std::uint64_t seed);
-  Decoded decode_robot(const Instruction& instruction, const SymState& start, std::uint64_t seed);
-  bool same_kind(const CandidateRun& run, const CandidateRun& reading, const Instruction& instruction) const;
+  Decoded decode_robot(const StepInput& input, const std::vector<std::string>& words, const SymState& start,
+                       std::uint64_t seed);
 
   RankerParts parts_;
+  std::unique_ptr<RobotLanguage> robot_;  // refers to parts_.symbols
   ModelUse use_;
   std::uint64_t decoded_for_ = 0;  // fingerprint of the input that decoded_ answers
   Decoded decoded_;

@@ -1,0 +1,45 @@
+// The parser behind parse_clauses(): one pass over the words, a clause at a time.
+#pragma once
+
+#include "components/goalnet/language/clause.h"
+
+namespace goalnet::inference {
+
+class ClauseParser {
+ public:
+  ClauseParser(const Words& words, const Language& language, const Lexicon& lexicon)
+      : words_(words.text), language_(language), lexicon_(&lexicon), reader_(words, language, lexicon) {}
+
+  ParsedSentence parse();
+
+ private:
+  // Each reads from word `at` and returns the first word it did not use; `end` is the end of the sentence.
+  std::size_t clause(std::size_t at, std::size_t end);
+  std::size_t command(std::size_t at, std::size_t end, Mood mood);
+  std::size_t argument(std::size_t at, std::size_t end, Clause& clause, Role& role, Where& where);
+  std::size_t particle(std::size_t at, std::size_t end, Clause& clause, Role& role);
+  std::size_t statement(std::size_t at, std::size_t end);
+  std::size_t predicate(std::size_t at, std::size_t end, Clause& clause, bool desired, bool negative);
+  std::size_t fragment(std::size_t at, std::size_t end);
+  std::size_t question(std::size_t at, std::size_t end);
+  std::size_t subordinate(std::size_t at, std::size_t end);
+  std::size_t skip_part(std::size_t at, std::size_t end) const;  // to the next comma or the end
+
+  bool opens_command(std::size_t at, std::size_t end) const;
+  bool starts_clause(std::size_t at, std::size_t end) const;
+  std::size_t skip_joins(std::size_t at, std::size_t end) const;
+  bool harmless(std::size_t at) const;
+  void add(Clause clause);
+  void name_pronouns(Clause& clause, const Clause& by) const;
+
+  const std::vector<std::string>& words_;
+  const Language& language_;
+  const Lexicon* lexicon_;
+  NounPhraseReader reader_;
+  ParsedSentence result_;
+  std::size_t insert_before_ = SIZE_MAX;  // where the next clause belongs ("before doing A, do B")
+  bool ensured_ = false;                  // "make sure that ..."
+  std::vector<NounPhrase> fronted_;       // "in the sink, put ..."
+};
+
+}  // namespace goalnet::inference

@@ -1,0 +1,249 @@
+// Sentences that are no plain commands: statements, wishes, fragments, questions.
+#include <algorithm>
+#include <array>
+
+#include "components/goalnet/language/clause_parser.h"
+
+namespace goalnet::inference {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+template <std::size_t N>
+bool one_of(const std::string& word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,     "she"sv,
+                                  "im"sv, "somebody"sv, "someone"sv, "nobody"sv, "everyone"sv};
+constexpr std::array kDesire = {"should"sv, "must"sv, "need"sv, "ought"sv, "want"sv, "supposed"sv, "shall"sv};
+
+}  // namespace
+
+std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
+  std::size_t i = at;
+  bool negative = false, desired = ensured_;
+  const bool there = words_[i] == "there" || words_[i] == "here";
+  if (there) {
+    ++i;
+    while (i < end && language_.copula(words_[i])) ++i;
+  }
+  if (one_of(words_[i < end ? i : at], kSpeakers) || language_.wish(words_[i < end ? i : at]) != nullptr) {
+    // "I am thirsty", "you left the tap on", "somebody spilled the coffee"
+    const std::size_t stop = skip_part(i, end);
+    for (std::size_t k = i; k < stop; ++k) {
+      if (const auto* wish = language_.wish(words_[k])) {
+        Words words;
+        words.text = *wish;
+        words.plural.assign(words.text.size(), false);
+        for (Clause& clause : ClauseParser(words, language_, *lexicon_).parse().clauses) {
+          clause.mood = Mood::kStatement, clause.wish = true;
+          add(std::move(clause));
+        }
+        return stop;
+      }
+    }
+    for (std::size_t k = i + 1; k < stop; ++k) {
+      if (words_[k] == "and" && starts_clause(skip_joins(k, end), end)) return k;
+      if (opens_command(k, end) &&
+          (language_.verb_base(words_[k]) == "leave" || language_.participle(words_[k]) ||
+           language_.verb(words_[k]) != Frame::kNone))
+        return command(k, end, Mood::kStatement);
+      NounPhrase named;
+      if (const std::size_t done = reader_.read(k, stop, named); done != k && !named.phrase.empty()) {
+        Clause clause;
+        clause.mood = Mood::kStatement;
+        clause.phrases = {named};
+        add(std::move(clause));
+        return predicate(done, end, result_.clauses.back(), false, false);
+      }
+    }
+    Clause clause;
+    clause.mood = Mood::kStatement;
+    add(std::move(clause));
+    return stop;
+  }
+  NounPhrase subject;
+  const std::size_t named = reader_.read(i, end, subject);
+  if (named == i || subject.person) {
+    if (i < end && !harmless(i)) result_.stray.push_back(words_[i]);
+    // "hey rosie, ...": what somebody is called
+    const bool name_of_somebody = i + 1 < end && words_[i + 1] == "," && !language_.known(words_[i]);
+    if (name_of_somebody) result_.stray.pop_back();
+    return i + 1;
+  }
+  i = named;
+  // "my coffee has gone cold", "the tv should be on", "that book should not be on the table"
+  std::size_t k = i;
+  bool verb_seen = there;
+  for (; k < end; ++k) {
+    const std::string& word = words_[k];
+    if (one_of(word, kDesire)) {
+      desired = verb_seen = true;
+    } else if (word == "not" || word == "never") {
+      negative = true;
+    } else if (language_.copula(word)) {
+      verb_seen = true;
+    } else if (!(word == "to" && desired) &&
+               !(harmless(k) && verb_seen && !reader_.starts(k, end) &&
+                 language_.wanted_by_state(word) == Frame::kNone && !place_preposition(word))) {
+      break;
+    }
+  }
+  if (!verb_seen) return fragment(at, end);
+  Clause clause;
+  clause.mood = Mood::kStatement;
+  clause.phrases = {subject};
+  clause.negative = negative;
+  add(std::move(clause));
+  return predicate(k, end, result_.clauses.back(), desired, negative);
+}
+
+// What is said of the subject, from `at` on. `clause` is the last of the result.
+std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& clause, bool desired,
+                                    bool negative) {
+  std::size_t i = at;
+  while (i < end && !language_.joins(words_[i])) {
+    const std::string& word = words_[i];
+    NounPhrase place;
+    if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
+      if (desired && negative) {  // should not be there: take it away
+        clause.mood = Mood::kCommand, clause.frame = Frame::kTake, clause.verb = "take";
+        place.role = Role::kSource;
+        clause.phrases.push_back(place);
+      } else if (desired) {
+        clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
+        place.role = Role::kDestination;
+        clause.phrases.push_back(place);
+      } else if (!clause.phrases.empty()) {
+        clause.phrases.front().at.push_back(place);
+      }
+      i = done;
+      continue;
+    }
+    if (language_.verb(word) != Frame::kNone && (language_.participle(word) || desired) &&
+        language_.wanted_by_state(word) == Frame::kNone) {
+      if (!desired) {
+        clause.state = word;
+        ++i;
+        continue;
+      }
+      clause.mood = negative ? Mood::kForbidden : Mood::kCommand;
+      clause.frame = language_.verb(word), clause.verb = language_.verb_base(word);
+      Role role = Role::kDirect;
+      Where where = Where::kTo;
+      for (++i; i < end && !language_.joins(words_[i]);) {
+        clause.words.push_back(words_[i]);
+        const std::size_t next = argument(i, end, clause, role, where);
+        if (next == i) break;
+        i = next;
+      }
+      return i;
+    }
+    if (clause.state.empty() &&
+        (language_.wanted_by_state(word) != Frame::kNone || language_.complaint(word) != Frame::kNone)) {
+      clause.state = word;
+      std::string wanted = word;
+      if (desired && negative) wanted = language_.opposite_state(word);
+      if (desired && !wanted.empty() && language_.wanted_by_state(wanted) != Frame::kNone) {
+        clause.mood = Mood::kCommand;
+        clause.frame = language_.wanted_by_state(wanted), clause.verb = wanted;
+        clause.state = wanted;
+      }
+      ++i;
+      if (clause.mood == Mood::kCommand && i < end && words_[i] == "of") {  // "should be full of water"
+        NounPhrase content;
+        const std::size_t done = reader_.read(i + 1, end, content);
+        content.role = Role::kWith;
+        if (done != i + 1) clause.phrases.push_back(content), i = done;
+      }
+      continue;
+    }
+    // a new command without a join: "i cannot see it turn on the tv"
+    if (opens_command(i, end) && i > at) return i;
+    ++i;
+  }
+  return i;
+}
+
+// "spoon in sink", "tap on please", "volume down", "channel 5", "the mug please".
+std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
+  Clause clause;
+  clause.frame = Frame::kNone;
+  NounPhrase subject;
+  std::size_t i = reader_.read(at, end, subject);
+  clause.phrases = {subject};
+  for (std::size_t k = at; k < i; ++k) clause.words.push_back(words_[k]);
+  while (i < end && language_.joins(words_[i])) {  // "plates and cups in the sink"
+    NounPhrase more;
+    const std::size_t next = skip_joins(i, end), done = reader_.read(next, end, more);
+    if (done == next || starts_clause(next, end)) break;
+    clause.phrases.push_back(more);
+    i = done;
+  }
+  NounPhrase place;
+  bool polite = false;
+  const auto only_harmless_from = [&](std::size_t from) {
+    std::size_t k = from;
+    for (; k < end && !language_.joins(words_[k]); ++k) {
+      if (!harmless(k)) return false;
+      polite = polite || words_[k] == "please";
+    }
+    if (k + 1 < end && words_[k] == "," && words_[k + 1] == "please") polite = true;
+    return true;
+  };
+  if (subject.unknown) {
+    result_.stray.push_back(subject.word);
+    return std::max(i, at + 1);
+  }
+  if (i < end && (words_[i] == "on" || words_[i] == "off" || words_[i] == "up" || words_[i] == "down") &&
+      !reader_.starts(i + 1, end)) {
+    clause.frame = Frame::kTurn, clause.verb = "turn";
+    clause.particles = {words_[i]};
+    clause.words.push_back(words_[i]);
+    add(std::move(clause));
+    return i + 1;
+  }
+  if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
+    clause.frame = Frame::kPlace, clause.verb = "put";
+    place.role = Role::kDestination;
+    clause.phrases.push_back(place);
+    add(std::move(clause));
+    return done;
+  }
+  if (i < end && language_.wanted_by_state(words_[i]) != Frame::kNone) {
+    clause.frame = language_.wanted_by_state(words_[i]), clause.verb = clause.state = words_[i];
+    add(std::move(clause));
+    return i + 1;
+  }
+  if (language_.tv_word(subject.phrase) && (subject.number > 0 || subject.ordinal > 0)) {
+    clause.frame = Frame::kChange, clause.verb = "change";
+    add(std::move(clause));
+    return i;
+  }
+  if (only_harmless_from(i) && polite) {
+    clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = true;
+    add(std::move(clause));
+    return i;
+  }
+  result_.stray.push_back(words_[at]);
+  return std::max(i, at + 1);
+}
+
+// "why is the salt on the stove": nothing to do, but "it" means the salt from here on.
+std::size_t ClauseParser::question(std::size_t at, std::size_t end) {
+  Clause clause;
+  clause.mood = Mood::kQuestion;
+  std::size_t i = at + 1;
+  while (i < end && !language_.joins(words_[i])) {
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(i, end, phrase);
+    if (done != i && !phrase.person && clause.phrases.empty() && !phrase.phrase.empty())
+      clause.phrases.push_back(phrase);
+    i = std::max(done, i + 1);
+  }
+  add(std::move(clause));
+  return i;
+}
+
+}  // namespace goalnet::inference

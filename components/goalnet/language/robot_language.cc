@@ -1,0 +1,61 @@
+#include "components/goalnet/language/robot_language.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "components/core/config_path.h"
+
+namespace goalnet::inference {
+namespace {
+
+Expected<std::string> text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) return fail(Outcome::kInvalidRequest, path + ": cannot be read");
+  return text.str();
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
+  std::unique_ptr<RobotLanguage> robot(new RobotLanguage(symbols));
+  std::string texts[3], paths[3];
+  const char* names[3] = {"language/household.json", "language/english.json", "language/words.json"};
+  for (int i = 0; i < 3; ++i) {
+    paths[i] = config_path(names[i]);
+    auto text = text_of(paths[i]);
+    if (!text) return tl::unexpected(text.error());
+    texts[i] = std::move(*text);
+  }
+  auto lexicon = Lexicon::parse(texts[0], paths[0], symbols);
+  if (!lexicon) return tl::unexpected(lexicon.error());
+  robot->lexicon_ = std::make_unique<Lexicon>(std::move(*lexicon));
+  if (auto added = robot->lexicon_->add_names(texts[1], paths[1]); !added)
+    return tl::unexpected(added.error());
+  auto language = Language::parse(texts[0], paths[0], *robot->lexicon_, symbols);
+  if (!language) return tl::unexpected(language.error());
+  robot->language_ = std::make_unique<Language>(std::move(*language));
+  if (auto added = robot->language_->add_english(texts[1], paths[1]); !added)
+    return tl::unexpected(added.error());
+  if (auto added = robot->language_->add_other_words(texts[2], paths[2]); !added)
+    return tl::unexpected(added.error());
+  return robot;
+}
+
+RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& tokens,
+                                           const std::vector<std::string>& objects, const SymState& start,
+                                           const Distances* distances) {
+  // Things that the lexicon does not list are known by their names from here on.
+  for (const std::string& object : objects)
+    if (const Symbol symbol = symbols_.intern(object); symbol != symbol::kNone && symbol != symbol::kRobot)
+      lexicon_->class_of(symbol, symbols_);
+  Reading reading;
+  reading.words = normal_words(tokens, *language_);
+  reading.instruction = see_instruction({}, nullptr, objects, *lexicon_, symbols_);
+  const FrameReader reader(*lexicon_, *language_, symbols_);
+  reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
+  return reading;
+}
+
+}  // namespace goalnet::inference

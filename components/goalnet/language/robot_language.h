@@ -1,0 +1,33 @@
+// All that a robot knows of English: config/language, loaded afresh and independent of any trained model.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "components/goalnet/language/frames.h"
+
+namespace goalnet::inference {
+
+class RobotLanguage {
+ public:
+  // Reads household.json, english.json and words.json. Fails with kInvalidRequest: which file, what is wrong.
+  static Expected<std::unique_ptr<RobotLanguage>> load(Symbols& symbols);
+
+  struct Reading {
+    Understanding understanding;
+    Instruction instruction;  // the objects, by this language's classes
+    Words words;
+  };
+  // `tokens` as tokenize() gives them. `distances` may be null.
+  Reading read(const std::vector<std::string>& tokens, const std::vector<std::string>& objects,
+               const SymState& start, const Distances* distances);
+
+ private:
+  explicit RobotLanguage(Symbols& symbols) : symbols_(symbols) {}
+
+  Symbols& symbols_;
+  std::unique_ptr<Lexicon> lexicon_;
+  std::unique_ptr<Language> language_;
+};
+
+}  // namespace goalnet::inference

@@ -1,0 +1,69 @@
+#include "components/goalnet/language/words.h"
+
+#include "components/goalnet/language/language.h"
+#include "components/goalnet/tokenizer.h"
+
+namespace goalnet::inference {
+namespace {
+
+constexpr std::size_t kMaxAfterRewriting = 2 * kMaxWords;  // rewriting may lengthen a sentence
+
+// "x box" -> "xbox", "micro wave" -> "microwave": two pieces that mean something only together.
+void join_pieces(std::vector<std::string>& tokens, const Language& language, int& corrected) {
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const std::string joined = tokens[i] + tokens[i + 1];
+    const bool pieces = tokens[i].size() < 2 || !language.known(tokens[i]) || !language.known(tokens[i + 1]);
+    if (!pieces || joined.size() < 4 || !language.names_something(joined)) continue;
+    tokens[i] = joined;
+    tokens.erase(tokens.begin() + static_cast<long>(i) + 1);
+    ++corrected;
+  }
+}
+
+// "putthe", "turnon": two words without the blank between them; one of them a small word.
+bool split(const std::string& token, const Language& language, std::vector<std::string>& out) {
+  if (token.size() < 5 || language.real_word(token)) return false;
+  for (std::size_t at = 1; at + 1 < token.size(); ++at) {
+    const std::string a = token.substr(0, at), b = token.substr(at);
+    const bool small_first = language.small_word(a), small_second = language.small_word(b);
+    if (!(small_first || small_second) || a.size() + b.size() < 5) continue;
+    if (!(small_first || language.meaningful(a)) || !(small_second || language.meaningful(b))) continue;
+    out.push_back(a), out.push_back(b);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Words normal_words(const std::vector<std::string>& tokens, const Language& language) {
+  Words words;
+  std::vector<std::string> mended = tokens;
+  join_pieces(mended, language, words.corrected);
+  std::vector<std::string> text;
+  for (const std::string& token : mended) {
+    if (language.known(token)) {
+      text.push_back(token);
+    } else if (const std::string& other = language.synonym(token); other != token) {
+      text.push_back(other);
+      ++words.synonyms;
+    } else if (split(token, language, text)) {
+      ++words.corrected;
+    } else {
+      std::string mended_token = language.correct(token);
+      words.corrected += mended_token != token;
+      const bool lost_s = mended_token != token && token.size() > 4 && token.back() == 's' &&
+                          mended_token.back() != 's' && language.names_something(mended_token);
+      text.push_back(lost_s ? mended_token + "s" : mended_token);  // "pilows" are pillows
+    }
+  }
+  text = language.rewrite(std::move(text), kMaxAfterRewriting);
+  for (std::string& word : text) {
+    std::string stem = language.keeps_its_s(word) ? word : singular(word);
+    words.plural.push_back(stem != word);
+    words.text.push_back(std::move(stem));
+  }
+  return words;
+}
+
+}  // namespace goalnet::inference
