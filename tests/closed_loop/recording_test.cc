@@ -108,7 +108,8 @@ TEST_F(Recording, HoldsAllThatRvizNeeds) {
        {"/tf", "/tf_static", "/robot_description", "/joint_states", "/markers", "/clock", "/world_state"})
     EXPECT_FALSE(by_topic[topic].empty()) << topic;
   EXPECT_EQ(by_topic["/robot_description"].front().time, 0u) << "from its first word";
-  for (const ros::BagTopic& topic : open(bag)->topics()) {
+  const auto reader = open(bag);
+  for (const ros::BagTopic& topic : reader->topics()) {
     if (topic.name != "/robot_description" && topic.name != "/tf_static" && topic.name != "/markers")
       continue;
     ASSERT_EQ(topic.offered.size(), 1u);
@@ -167,7 +168,8 @@ TEST_F(Recording, HoldsAllThatRvizNeeds) {
   EXPECT_THAT(markers.at({"task", 0})->text(), testing::HasSubstr("finished"));
   std::size_t with_path = 0;
   for (const Recorded& one : by_topic["/markers"]) {
-    for (const Marker& drawn : decode<MarkerArray>(one.payload).markers())
+    const auto message = decode<MarkerArray>(one.payload);
+    for (const Marker& drawn : message.markers())
       with_path += drawn.ns() == "path" && drawn.action() == marker::ADD && drawn.points().size() >= 2;
   }
   EXPECT_GT(with_path, 0u);
@@ -179,6 +181,48 @@ TEST_F(Recording, HoldsAllThatRvizNeeds) {
     }
   }
   EXPECT_TRUE(deleted) << "viewers are told to remove it";
+}
+
+// Rows of the table in idl/README.md by topic: type ("std_msgs/String") and quality of service.
+std::map<std::string, std::pair<std::string, std::string>> documented_topics() {
+  std::ifstream file(GOALNET_SOURCE_DIR "/idl/README.md");
+  std::map<std::string, std::pair<std::string, std::string>> out;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("| `/")) continue;
+    std::vector<std::string> cells;
+    std::istringstream row(line.substr(1));
+    for (std::string cell; std::getline(row, cell, '|');) {
+      cell.erase(0, cell.find_first_not_of(' '));
+      cell.erase(cell.find_last_not_of(' ') + 1);
+      cells.push_back(cell);
+    }
+    std::istringstream names(cells.at(0));
+    for (std::string name; std::getline(names, name, '`');) {
+      if (name.starts_with("/")) out[name] = {cells.at(1), cells.at(2)};
+    }
+  }
+  return out;
+}
+
+TEST_F(Recording, TopicsAreThoseOfTheTable) {
+  const auto documented = documented_topics();
+  ASSERT_GT(documented.size(), 15u);
+  std::size_t compared = 0;
+  const auto bag = open(run("run", "mcap"));
+  for (const ros::BagTopic& topic : bag->topics()) {
+    const auto row = documented.find(topic.name);
+    ASSERT_NE(row, documented.end()) << topic.name << " is not in idl/README.md";
+    if (row->second.first == "standard") continue;
+    std::string type = topic.type;
+    type.erase(type.find("/msg/"), 4);
+    EXPECT_EQ(row->second.first.substr(0, type.size()), type) << topic.name;
+    for (const ros::OfferedQos& offered : topic.offered) {
+      EXPECT_TRUE(offered.qos.reliable) << topic.name;
+      EXPECT_EQ(offered.qos.transient_local, row->second.second == "latched") << topic.name;
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 14u);
 }
 
 // `goalnet record` is killed while a simulator works: the bag ends less than a second before.
