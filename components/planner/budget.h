@@ -34,6 +34,8 @@ class Budget {
     }
     return reason_ != Reason::kNone;
   }
+  // What the last look said.
+  bool stopped() const { return reason_ != Reason::kNone; }
   Reason reason() const { return reason_; }
   bool limited() const { return limited_; }
   Clock::time_point deadline() const { return deadline_; }

@@ -352,6 +352,13 @@ Condition split_condition(const std::vector<std::uint8_t>& is_fluent, Formula fo
 CompiledDomain::CompiledDomain(const Domain& the_domain)
     : domain(the_domain), is_fluent(static_cast<std::size_t>(the_domain.predicates.size()), 0) {
   for (const ActionSchema& action : domain.actions) collect_fluents(action.effect, &is_fluent);
+  for (const DerivedPredicate& definition : domain.derived) {
+    if (!domain.recursive(definition.predicate)) continue;
+    is_fluent[static_cast<std::size_t>(definition.predicate)] = 1;
+    CompiledAxiom axiom{definition.predicate, definition.parameter_count, definition.slots, {}};
+    axiom.body = Normaliser(domain, axiom.slots).normalise(definition.body);
+    axioms.push_back(std::move(axiom));
+  }
   Compiler compiler(*this);
   for (std::size_t i = 0; i < domain.actions.size(); ++i) compiler.compile(static_cast<std::int32_t>(i));
   mark_dominated_effects(*this);

@@ -61,12 +61,21 @@ struct EffectReference {
   std::int32_t effect;
 };
 
+// A definition of a derived predicate that depends on itself.
+struct CompiledAxiom {
+  PredicateId predicate = 0;
+  std::int32_t parameter_count = 0;
+  std::vector<TypeSet> slots;
+  Formula body;  // in normal form
+};
+
 struct CompiledDomain {
   explicit CompiledDomain(const Domain& domain);
 
   const Domain& domain;
-  std::vector<std::uint8_t> is_fluent;  // by predicate: some action changes it
+  std::vector<std::uint8_t> is_fluent;  // by predicate: some action changes it, or it is computed in every state
   std::vector<CompiledSchema> schemas;
+  std::vector<CompiledAxiom> axioms;
   std::vector<TypeSet> type_sets;         // every different set of types that a variable has
   std::vector<std::uint8_t> allowed;      // by set * number of types + type: whether the type is in the set
   // By 2 * predicate + (negative ? 1 : 0): the effects that produce such literals.

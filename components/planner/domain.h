@@ -38,7 +38,7 @@ struct ActionSchema {
   CostExpression cost;                   // meaningful where the problem minimises total-cost
 };
 
-// (:derived (above ?x ?y) FORMULA). Definitions must not be recursive.
+// (:derived (above ?x ?y) FORMULA). A predicate may have several; any of them makes it true.
 struct DerivedPredicate {
   PredicateId predicate = 0;
   std::int32_t parameter_count = 0;
@@ -59,6 +59,11 @@ struct Domain {
   SymbolTable action_names;
   std::vector<ActionSchema> actions;
   std::vector<DerivedPredicate> derived;
+  // By predicate: -1, or for a derived predicate that depends on itself its layer; see derived_layers.h.
+  std::vector<std::int32_t> layer;
+
+  bool recursive(PredicateId predicate) const { return layer[static_cast<std::size_t>(predicate)] >= 0; }
+  bool has_recursion() const;
 
   bool is_a(TypeId type, TypeId ancestor) const;
   bool is_a(TypeId type, const TypeSet& any_of) const;

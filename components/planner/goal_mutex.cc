@@ -97,7 +97,7 @@ class Prover {
 
 std::optional<std::pair<Literal, Literal>> find_goal_mutex(const GroundTask& task, Budget& budget) {
   constexpr std::size_t kMostGoals = 60;
-  if (task.goal.size() > kMostGoals) return std::nullopt;
+  if (task.goal.size() > kMostGoals || !task.axioms.empty()) return std::nullopt;
   Prover prover(task, budget);
   for (std::size_t i = 0; i < task.goal.size(); ++i) {
     for (std::size_t j = 0; j < i && !budget.poll(); ++j) {

@@ -37,6 +37,13 @@ struct Junction {
   std::uint32_t begin = 0, end = 0;  // in GroundTask::junction_children
 };
 
+// head follows where the conditions hold; see GroundTask::axioms.
+struct GroundAxiom {
+  Literal head = 0;  // positive, of a derived atom
+  std::uint32_t condition_begin = 0, condition_end = 0;  // in GroundTask::conditions
+  std::int32_t layer = 0;
+};
+
 struct GroundTask {
   AtomTable atoms;
   std::vector<std::uint8_t> initial;   // by atom
@@ -50,6 +57,14 @@ struct GroundTask {
   std::vector<ConditionId> junction_children;
   std::vector<ConditionId> goal;
   bool goal_impossible = false;        // found false while grounding
+  // What defines derived atoms that depend on themselves ("above" follows from "above"), by layer: within a layer they
+  // only support each other, and what they need not to hold belongs to a layer below. In every state exactly those
+  // derived atoms hold that the axioms yield, layer by layer, starting from none.
+  std::vector<GroundAxiom> axioms;
+  std::vector<std::uint8_t> derived;                  // by atom; empty where there are no axioms
+  std::vector<std::vector<std::int32_t>> triggers;    // by atom: axioms of its layer that read it
+
+  void clear();
 
   std::span<const ConditionId> preconditions(const GroundAction& action) const {
     return {conditions.data() + action.precondition_begin, action.precondition_end - action.precondition_begin};
@@ -62,6 +77,9 @@ struct GroundTask {
   }
   std::span<const ConditionId> children(const Junction& junction) const {
     return {junction_children.data() + junction.begin, junction.end - junction.begin};
+  }
+  std::span<const ConditionId> conditions_of(const GroundAxiom& axiom) const {
+    return {conditions.data() + axiom.condition_begin, axiom.condition_end - axiom.condition_begin};
   }
   std::size_t words() const { return (initial.size() + 63) / 64; }
 };
@@ -100,6 +118,9 @@ inline void make_true(Word* state, Literal literal) {
     state[atom >> 6] |= bit;
   }
 }
+
+// Sets the derived atoms as the rest of the state demands.
+void derive(const GroundTask& task, Word* state);
 
 // next = the state after the action; conditions are judged on `state`. The two must not overlap.
 void apply_action(const GroundTask& task, const Word* state, const GroundAction& action, Word* next);

@@ -8,27 +8,19 @@ namespace goalnet::planner {
 Grounder::Grounder(const CompiledDomain& compiled) : compiled_(compiled), actions_of_schema_(compiled.schemas.size()) {
   std::size_t most = 64;
   for (const CompiledSchema& schema : compiled.schemas) most = std::max(most, schema.slots.size());
+  for (const CompiledAxiom& axiom : compiled.axioms) most = std::max(most, axiom.slots.size());
   binding_.assign(most, -1);
 }
 
 void Grounder::restart() {
-  task_->atoms.clear();
-  task_->initial.clear();
-  task_->changes.clear();
-  task_->needed.clear();
-  task_->actions.clear();
-  task_->bindings.clear();
-  task_->effects.clear();
-  task_->conditions.clear();
-  task_->junctions.clear();
-  task_->junction_children.clear();
-  task_->goal.clear();
-  task_->goal_impossible = false;
+  task_->clear();
   action_table_.clear();
   action_of_entry_.clear();
   for (auto& list : actions_of_schema_) list.clear();
   effects_.clear();
   side_effects_.clear();
+  axioms_of_.clear();
+  defined_.clear();
   queue_.clear();
   queue_next_ = 0;
   stopped_ = too_large_ = false;
@@ -96,6 +88,7 @@ bool Grounder::close() {
 
 void Grounder::produce(Literal literal) {
   const PredicateId predicate = task_->atoms.predicate(literal >> 1);
+  if (compiled_.domain.recursive(predicate)) return define(literal);
   const auto& producers =
       compiled_.producers[2 * static_cast<std::size_t>(predicate) + static_cast<std::size_t>(literal & 1)];
   for (const EffectReference& reference : producers) produce(reference, literal);
@@ -112,6 +105,49 @@ void Grounder::produce(const EffectReference& reference, Literal literal) {
     const std::int32_t action = action_for(reference.schema, true);
     if (action >= 0) add_effect(action, effect, literal, &effects_);
   });
+}
+
+// The axioms of a derived atom; what they read is needed in the same sense as the atom: to hold, or not to hold.
+void Grounder::define(Literal literal) {
+  const auto atom = static_cast<std::size_t>(literal >> 1);
+  if (defined_.size() <= atom) {
+    defined_.resize(atom + 1, 0);
+    axioms_of_.resize(atom + 1);
+  }
+  const PredicateId predicate = task_->atoms.predicate(literal >> 1);
+  if (defined_[atom] == 0) {
+    defined_[atom] = 1;
+    for (const CompiledAxiom& axiom : compiled_.axioms) {
+      if (axiom.predicate != predicate) continue;
+      std::fill_n(binding_.begin(), axiom.slots.size(), -1);
+      bool fits = true;
+      const auto arguments = task_->atoms.arguments(literal >> 1);
+      for (std::size_t i = 0; i < arguments.size(); ++i) {
+        binding_[i] = arguments[i];
+        fits = fits && index_->problem().object_is_a(arguments[i], axiom.slots[i]);
+      }
+      if (!fits) continue;
+      slots_ = &axiom.slots;
+      const Value value = instantiate(axiom.body);
+      if (stopped_) return;
+      if (value.kind == Value::Kind::kFalse) continue;
+      GroundAxiom ground;
+      ground.head = literal & ~1;
+      ground.layer = compiled_.domain.layer[static_cast<std::size_t>(predicate)];
+      ground.condition_begin = static_cast<std::uint32_t>(task_->conditions.size());
+      if (value.kind == Value::Kind::kCondition) task_->conditions.push_back(value.condition);
+      ground.condition_end = static_cast<std::uint32_t>(task_->conditions.size());
+      axioms_of_[atom].push_back(static_cast<std::int32_t>(task_->axioms.size()));
+      task_->axioms.push_back(ground);
+    }
+  }
+  for (const std::int32_t axiom : axioms_of_[atom]) {
+    const GroundAxiom ground = task_->axioms[static_cast<std::size_t>(axiom)];
+    for (std::uint32_t i = ground.condition_begin; i < ground.condition_end; ++i) {
+      const ConditionId condition = task_->conditions[i];
+      (literal & 1) != 0 ? need_opposite(condition) : need(condition);
+    }
+  }
 }
 
 bool Grounder::bind_fixed(const CompiledSchema& schema) {
@@ -501,6 +537,34 @@ void Grounder::gather(const EffectReference& reference, Literal literal) {
   }
 }
 
+// Sorts the axioms by layer and notes which of them read what of their own layer.
+void Grounder::finish_axioms() {
+  GroundTask& task = *task_;
+  std::stable_sort(task.axioms.begin(), task.axioms.end(), [](const GroundAxiom& a, const GroundAxiom& b) { return a.layer < b.layer; });
+  task.derived.assign(task.initial.size(), 0);
+  task.triggers.assign(task.initial.size(), {});
+  for (std::size_t atom = 0; atom < task.derived.size(); ++atom) {
+    if (compiled_.domain.recursive(task.atoms.predicate(static_cast<std::int32_t>(atom)))) {
+      task.derived[atom] = 1;
+      task.changes[atom] = 1;
+    }
+  }
+  const auto layer_of = [&](Literal literal) {
+    return compiled_.domain.layer[static_cast<std::size_t>(task.atoms.predicate(literal >> 1))];
+  };
+  for (std::size_t i = 0; i < task.axioms.size(); ++i) {
+    const auto note = [&](const auto& self, ConditionId condition) -> void {
+      if (condition < 0) {
+        for (const ConditionId child : task.children(task.junctions[static_cast<std::size_t>(~condition)])) self(self, child);
+      } else if (layer_of(condition) == task.axioms[i].layer) {
+        auto& readers = task.triggers[static_cast<std::size_t>(condition >> 1)];
+        if (readers.empty() || readers.back() != static_cast<std::int32_t>(i)) readers.push_back(static_cast<std::int32_t>(i));
+      }
+    };
+    for (const ConditionId condition : task.conditions_of(task.axioms[i])) note(note, condition);
+  }
+}
+
 // Lays the effects out by action, deletions first: where an action both deletes and adds a fact, it holds afterwards.
 void Grounder::finish() {
   std::vector<GroundAction>& actions = task_->actions;
@@ -520,6 +584,7 @@ void Grounder::finish() {
       task_->changes[static_cast<std::size_t>(raw.effect.literal >> 1)] = 1;
     }
   }
+  if (!task_->axioms.empty()) finish_axioms();
 }
 
 }  // namespace goalnet::planner

@@ -43,6 +43,7 @@ class Grounder {
   bool close();
   void produce(Literal literal);
   void produce(const EffectReference& reference, Literal literal);
+  void define(Literal literal);
   bool bind_fixed(const CompiledSchema& schema);
   bool bind(const CompiledSchema& schema, std::int32_t slot, ObjectId object);
   bool unify(const CompiledSchema& schema, const AtomPattern& pattern, AtomRef atom);
@@ -61,6 +62,7 @@ class Grounder {
   void gather_side_effects();
   void gather(const EffectReference& reference, Literal literal);
   void finish();
+  void finish_axioms();
 
   const CompiledDomain& compiled_;
   ProblemIndex* index_ = nullptr;
@@ -75,6 +77,8 @@ class Grounder {
   std::vector<std::vector<std::int32_t>> actions_of_schema_;
   std::vector<RawEffect> effects_;           // that actions were grounded for
   std::vector<RawEffect> side_effects_;      // what else they do to needed literals
+  std::vector<std::vector<std::int32_t>> axioms_of_;  // by atom: axioms that define it
+  std::vector<std::uint8_t> defined_;                 // by atom
   std::vector<Literal> queue_;
   std::size_t queue_next_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace goalnet::planner {
 namespace {
@@ -33,6 +34,24 @@ void AtomSet::set(PredicateId predicate, const ObjectId* arguments, std::size_t 
   holds_[static_cast<std::size_t>(atom)] = 1;
 }
 
+Interpreter::Interpreter(const Problem& problem) : problem_(problem) {
+  definitions_.resize(static_cast<std::size_t>(problem.domain().predicates.size()));
+  for (const DerivedPredicate& definition : problem.domain().derived) {
+    if (problem.domain().recursive(definition.predicate)) continue;
+    definitions_[static_cast<std::size_t>(definition.predicate)].push_back(&definition);
+  }
+}
+
+const std::vector<ObjectId>& Interpreter::objects(const TypeSet& types) const {
+  const auto [place, is_new] = objects_.try_emplace(types);
+  if (is_new) {
+    for (ObjectId id = 0; id < problem_.object_count(); ++id) {
+      if (problem_.object_is_a(id, types)) place->second.push_back(id);
+    }
+  }
+  return place->second;
+}
+
 // Calls visit() for every way to bind the variables from `index` on; stops and returns false when visit() does.
 template <class Visit>
 bool Interpreter::for_each_binding(const std::vector<std::int32_t>& variables, std::size_t index,
@@ -40,19 +59,46 @@ bool Interpreter::for_each_binding(const std::vector<std::int32_t>& variables, s
                                    const Visit& visit) const {
   if (index == variables.size()) return visit();
   const auto slot = static_cast<std::size_t>(variables[index]);
-  for (ObjectId id = 0; id < problem_.object_count(); ++id) {
-    if (!problem_.object_is_a(id, slots[slot])) continue;
+  for (const ObjectId id : objects(slots[slot])) {
     binding[slot] = id;
     if (!for_each_binding(variables, index + 1, slots, binding, visit)) return false;
   }
   return true;
 }
 
+void Interpreter::complete(AtomSet& state) const {
+  const Domain& domain = problem_.domain();
+  if (!domain.has_recursion()) return;
+  for (std::int32_t atom = 0; atom < state.table().size(); ++atom) {
+    if (domain.recursive(state.table().predicate(atom))) state.set(atom, false);
+  }
+  const std::int32_t layers = *std::max_element(domain.layer.begin(), domain.layer.end()) + 1;
+  for (std::int32_t layer = 0; layer < layers; ++layer) {
+    for (bool grows = true; grows;) {
+      grows = false;
+      for (const DerivedPredicate& definition : domain.derived) {
+        if (domain.layer[static_cast<std::size_t>(definition.predicate)] != layer) continue;
+        std::vector<std::int32_t> parameters(static_cast<std::size_t>(definition.parameter_count));
+        std::iota(parameters.begin(), parameters.end(), 0);
+        std::vector<ObjectId> binding(definition.slots.size(), 0);
+        for_each_binding(parameters, 0, definition.slots, binding, [&] {
+          if (state.contains(definition.predicate, binding.data(), parameters.size())) return true;
+          std::vector<ObjectId> inner = binding;
+          if (!holds(definition.body, definition.slots, inner, state)) return true;
+          state.set(definition.predicate, binding.data(), parameters.size(), true);
+          grows = true;
+          return true;
+        });
+      }
+    }
+  }
+}
+
 bool Interpreter::atom_holds(const AtomPattern& atom, const std::vector<ObjectId>& binding,
                              const AtomSet& state) const {
   const Ground ground(atom, binding);
-  for (const DerivedPredicate& definition : problem_.domain().derived) {
-    if (definition.predicate != atom.predicate) continue;
+  for (const DerivedPredicate* defined : definitions_[static_cast<std::size_t>(atom.predicate)]) {
+    const DerivedPredicate& definition = *defined;
     std::vector<ObjectId> inner(definition.slots.size(), 0);
     bool fits = true;
     for (std::size_t i = 0; i < ground.count; ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ class AtomSet {
     return atom != AtomTable::kNone && holds_[static_cast<std::size_t>(atom)] != 0;
   }
   void set(PredicateId predicate, const ObjectId* arguments, std::size_t count, bool holds);
+  void set(std::int32_t atom, bool holds) { holds_[static_cast<std::size_t>(atom)] = holds ? 1 : 0; }
   const AtomTable& table() const { return table_; }
   bool holds(std::int32_t atom) const { return holds_[static_cast<std::size_t>(atom)] != 0; }
 
@@ -34,9 +36,14 @@ struct AtomChange {
   bool added;
 };
 
+// Not thread-safe.
 class Interpreter {
  public:
-  explicit Interpreter(const Problem& problem) : problem_(problem) {}
+  explicit Interpreter(const Problem& problem);
+
+  // Sets the derived facts that depend on themselves ("above") as the others demand. To be called for a state before it is
+  // asked for anything, and again after every change.
+  void complete(AtomSet& state) const;
 
   // `binding` gives the parameters and has room for all slots; `slots` are their types.
   bool holds(const Formula& formula, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
@@ -67,7 +74,11 @@ class Interpreter {
   void collect(const Effect& effect, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
                const AtomSet& state, std::vector<AtomChange>* added, std::vector<AtomChange>* deleted) const;
 
+  const std::vector<ObjectId>& objects(const TypeSet& types) const;
+
   const Problem& problem_;
+  std::vector<std::vector<const DerivedPredicate*>> definitions_;  // by predicate, of those without a layer
+  mutable std::map<TypeSet, std::vector<ObjectId>> objects_;       // found when first asked for
 };
 
 }  // namespace goalnet::planner

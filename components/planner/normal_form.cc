@@ -112,7 +112,7 @@ Formula Normaliser::inlined(const AtomPattern& use, bool negated) const {
 Formula Normaliser::atom(const Formula& formula, bool negated) const {
   Formula result = formula;
   result.atom = substitute(formula.atom);
-  const bool derived = std::any_of(domain_.derived.begin(), domain_.derived.end(), [&](const DerivedPredicate& d) {
+  const bool derived = !domain_.recursive(result.atom.predicate) && std::any_of(domain_.derived.begin(), domain_.derived.end(), [&](const DerivedPredicate& d) {
     return d.predicate == result.atom.predicate;
   });
   if (derived) return inlined(result.atom, negated);

@@ -1,5 +1,5 @@
 // Conditions in negation normal form: 'not' only before atoms and equalities, derived predicates replaced by their
-// definitions, constants folded.
+// definitions where these are not recursive, constants folded.
 #pragma once
 
 #include <vector>

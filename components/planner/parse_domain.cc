@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "components/planner/nonrecursive.h"
+#include "components/planner/derived_layers.h"
 #include "components/planner/parser.h"
 
 namespace goalnet::planner {
@@ -54,7 +54,7 @@ class DomainParser : public Parser {
     static const char* const kSupported[] = {
         ":strips", ":typing", ":equality", ":negative-preconditions", ":disjunctive-preconditions",
         ":existential-preconditions", ":universal-preconditions", ":quantified-preconditions",
-        ":conditional-effects", ":adl", ":action-costs", ":derived-predicates"};
+        ":conditional-effects", ":adl", ":action-costs", ":derived-predicates", ":domain-axioms"};
     while (!failed() && peek().kind != Token::Kind::kClose) {
       Token word;
       if (!expect_word("a requirement", &word)) return false;
@@ -112,17 +112,21 @@ class DomainParser : public Parser {
       const TypeId id = domain_.types.add(entry.name.text);
       parents.resize(static_cast<std::size_t>(domain_.types.size()));
       defined.resize(parents.size());
-      if (id != 0 && defined[static_cast<std::size_t>(id)] != 0) {
-        return fail_at(entry.name.offset, "type " + quoted(entry.name) + " is declared twice");
-      }
+      const bool again = id != 0 && defined[static_cast<std::size_t>(id)] != 0;
+      bool adds = false;
       defined[static_cast<std::size_t>(id)] = 1;
       for (const Token& parent : entry.parents) {
         const TypeId above = domain_.types.add(parent.text);
         parents.resize(static_cast<std::size_t>(domain_.types.size()));
         defined.resize(parents.size());
         if (id == 0 && above == 0) continue;  // "object - object" is harmless
-        parents[static_cast<std::size_t>(id)].push_back(above);
+        auto& mine = parents[static_cast<std::size_t>(id)];
+        if (std::find(mine.begin(), mine.end(), above) != mine.end()) continue;
+        mine.push_back(above);
+        adds = true;
       }
+      // A type below two others is sometimes written as two declarations; one that says nothing new is a slip.
+      if (again && !adds) return fail_at(entry.name.offset, "type " + quoted(entry.name) + " is declared twice");
       if (parents.size() > kMostTypes) {
         return fail_at(entry.name.offset, "more than " + std::to_string(kMostTypes) + " types");
       }
@@ -376,11 +380,13 @@ class DomainParser : public Parser {
           return fail_at(token.offset, quoted(token) + " is derived; no action may change it");
         }
       }
-      if (depends_on_itself(domain_, domain_.derived[i].predicate)) {
-        return fail_at(derived_names_[i].offset,
-                       "derived predicate " + quoted(derived_names_[i]) + " depends on itself; recursive "
-                       "definitions are not supported");
-      }
+    }
+    if (const auto circular = assign_layers(domain_)) {
+      const auto same = [&](const DerivedPredicate& definition) { return definition.predicate == *circular; };
+      const auto place = std::find_if(domain_.derived.begin(), domain_.derived.end(), same) - domain_.derived.begin();
+      const Token& name = derived_names_[static_cast<std::size_t>(place)];
+      return fail_at(name.offset, "derived predicate " + quoted(name) +
+                                      " depends on its own opposite, directly or through others; that defines nothing");
     }
     return true;
   }
@@ -408,6 +414,10 @@ class DomainParser : public Parser {
 };
 
 }  // namespace
+
+bool Domain::has_recursion() const {
+  return std::any_of(layer.begin(), layer.end(), [](std::int32_t l) { return l >= 0; });
+}
 
 bool Domain::is_a(TypeId type, TypeId ancestor) const {
   if (ancestor == 0 || type == ancestor) return true;

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "components/planner/goal_mutex.h"
-#include "components/planner/greedy_search.h"
 #include "components/planner/grounder.h"
 #include "components/planner/normal_form.h"
 #include "components/planner/one_action.h"
 #include "components/planner/optimal_search.h"
-#include "components/planner/serial_search.h"
+#include "components/planner/satisficing_search.h"
 #include "components/planner/task_filter.h"
 #include "components/planner/world.h"
 
@@ -46,8 +45,7 @@ struct Planner::Impl {
   LmCut focused_lm_cut;
   std::vector<Word> focused_initial;
   OptimalSearch optimal;
-  GreedySearch greedy;
-  SerialSearch serial;
+  SatisficingSearch satisficing;
   Problem scratch;  // for solve(WorldState, Goal)
   std::vector<GoalLiteral> literals;
   std::vector<Word> initial;
@@ -121,7 +119,7 @@ Expected<Plan> Planner::Impl::solve(const Problem& problem, const SolveOptions& 
       plan.statistics.search_seconds = seconds_since(start);
       return plan;
     }
-    if (!problem.minimise_cost) {
+    if (!problem.minimise_cost && compiled.axioms.empty()) {
       if (const auto found = one_action.find(index, literals)) {
         Plan plan;
         plan.actions.push_back(name_of(found->schema, found->binding.data()));
@@ -186,70 +184,58 @@ Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions&
   return finish(std::move(plan), found, budget, options);
 }
 
-// Optimal search, with a satisficing one in between where that gives a first plan sooner.
+// Optimal search, with satisficing ones in between where they give a first or a better plan sooner.
 void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options, Budget& budget) {
   constexpr std::int64_t kFirstNodes = 2000;     // most household problems end before
   constexpr std::int64_t kFirstWork = 600'000;   // nodes times actions: large tasks get fewer nodes, but some
   constexpr std::int64_t kFewestNodes = 50;
+  constexpr std::int64_t kNodesWithPlan = 20;    // times as many where a plan is known already
   constexpr std::size_t kLargeTask = 10'000;     // actions
-  constexpr std::int64_t kFirstStates = 20'000;  // of the greedy search while the optimal one still has hope
   const auto start = Clock::now();
-  constexpr std::int64_t kMostStates = INT64_MAX / 64;
   SearchLimits limits;
   limits.bytes = options.memory_limit;
-  if (found) limits.upper_bound = plan.cost;
-  // One goal after the other; true if that gives a plan cheaper than all before.
-  const auto serially = [&](Budget& time) {
-    if (task.goal.size() < 2 ||
-        !serial.search(task, relaxed_planner, initial.data(), kFirstStates, options.memory_limit / 2, time, plan.statistics)) {
-      return false;
-    }
-    std::int64_t most = limits.upper_bound;
-    if (!greedy.plan().empty()) most = std::min(most, cost_of(greedy.plan()));
-    if (cost_of(serial.plan()) >= most) return false;
-    best = serial.plan();
-    plan.cost = limits.upper_bound = cost_of(best);
-    plan.statistics.method = "serial search";
-    found = true;
-    return true;
-  };
-  const auto greedily = [&](std::int64_t most_states, Budget& time) {
-    using Style = GreedySearch::Style;
-    const auto run = [&](Style style, std::int64_t states) {
-      return greedy.search(task, relaxed_planner, initial.data(), limits.upper_bound, states, options.memory_limit / 2,
-                           time, plan.statistics, style);
-    };
-    // The two take turns, each with more states than before: they fail on different problems.
-    auto result = GreedySearch::Result::kLimit;
-    for (std::int64_t states = kFirstStates / 2; result == GreedySearch::Result::kLimit; states *= 4) {
-      const std::int64_t here = std::min(states, most_states);
-      result = run(Style::kLazy, here);
-      // Also where the lazy search wandered about: its plans are long then.
-      const bool wandered = result == GreedySearch::Result::kFound && plan.statistics.evaluated > kFirstStates / 8;
-      if ((wandered || result == GreedySearch::Result::kLimit) && states == kFirstStates / 2 && serially(time)) {
-        return GreedySearch::Result::kFound;
-      }
-      if (result == GreedySearch::Result::kLimit) result = run(Style::kEager, 2 * here);
-      if (states >= most_states || states > kMostStates) break;
-    }
-    if (result == GreedySearch::Result::kFound) {
-      best = greedy.plan();
-      plan.cost = limits.upper_bound = cost_of(best);
-      plan.statistics.method = "greedy search";
+  if (found) {
+    shorten_plan(task, initial.data(), budget, &best);
+    limits.upper_bound = plan.cost = cost_of(best);
+  }
+  const auto satisfice = [&](int turns, Budget& time) {
+    SatisficingOptions some;
+    some.upper_bound = limits.upper_bound;
+    some.bytes = options.memory_limit / 4;
+    some.turns = turns;
+    some.best_of_turn = !options.satisficing;
+    const auto result = satisficing.search(relaxed, relaxed_planner, initial.data(), some, time, plan.statistics);
+    if (result == SatisficingSearch::Result::kFound) {
+      best = satisficing.plan();
+      plan.cost = limits.upper_bound = satisficing.cost();
+      plan.statistics.method = satisficing.method();
       found = true;
     }
     return result;
   };
+  // What is left of the time: half of it where there is no plan yet, so that some remains for finding one; with a plan,
+  // proving may not take longer than the proof limit.
+  const auto share = [&](bool whole) {
+    auto left = budget.limited() ? budget.deadline() - Clock::now() : std::chrono::nanoseconds(0);
+    if (!whole) left /= 2;
+    if (found && options.proof_limit.count() > 0) {
+      const auto proof = std::max(options.proof_limit - (Clock::now() - start), std::chrono::nanoseconds(1));
+      left = budget.limited() ? std::min<std::chrono::nanoseconds>(left, proof) : proof;
+    }
+    if (budget.limited()) left = std::max(left, std::chrono::nanoseconds(1));
+    return Budget(options.stop, left);
+  };
+  constexpr int kNoLimit = 1 << 20, kFewTurns = 2;
   if (options.satisficing) {
-    greedily(INT64_MAX, budget);
+    exhausted = satisfice(kNoLimit, budget) == SatisficingSearch::Result::kExhausted && !found;
     plan.optimal = found && plan.cost == plan.lower_bound;
     return;
   }
-  bool greedy_tried = false;
+  bool tried = false;
   if (!found && task.actions.size() > kLargeTask) {  // here even the first lower bounds take seconds
-    greedy_tried = true;
-    Budget half(options.stop, budget.limited() ? (budget.deadline() - Clock::now()) / 2 : std::chrono::seconds(0));
-    greedily(kFirstStates, half);
+    tried = true;
+    Budget half = share(false);
+    satisfice(kFewTurns, half);
   }
   // Plans up to a little above the lower bound first: the fewer actions fit under the bound, the faster the search.
   // The bound grows until a plan is found or nothing was left out.
@@ -258,6 +244,7 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     const std::int64_t slack = round < 3 ? 1 : std::int64_t{1} << std::min<std::int64_t>(round - 2, 30);
     const std::int64_t bound = std::min(limits.upper_bound, plan.lower_bound + slack * unit);
     const Focus focus = focus_on(bound, plan, budget);
+    if (budget.stopped()) break;
     if (focus == Focus::kNone) {  // nothing below the bound
       plan.lower_bound = bound;
       if (bound == limits.upper_bound) break;
@@ -267,29 +254,23 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     here.upper_bound = bound;
     optimal.start(focused, focused_lm_cut, focused_initial.data(), plan.lower_bound);
     auto result = OptimalSearch::Result::kNodeLimit;
-    if (!found && !greedy_tried) {
+    if (!tried) {
       const auto actions = std::max<std::int64_t>(static_cast<std::int64_t>(focused.actions.size()), 1);
-      here.nodes = std::clamp(kFirstWork / actions, kFewestNodes, kFirstNodes);
+      here.nodes = std::clamp(kFirstWork / actions, kFewestNodes, kFirstNodes) * (found ? kNodesWithPlan : 1);
       if (options.node_limit > 0) here.nodes = std::min(options.node_limit, here.nodes);
-      result = optimal.resume(here, budget, plan.statistics);
-      if (result == OptimalSearch::Result::kNodeLimit) {
-        greedy_tried = true;
-        // With a time limit the greedy search may have half of what is left.
-        Budget half(options.stop, budget.limited() ? (budget.deadline() - Clock::now()) / 2 : std::chrono::seconds(0));
-        greedily(kFirstStates, half);
+      Budget part = share(false);
+      result = optimal.resume(here, part, plan.statistics);
+      if (result == OptimalSearch::Result::kNodeLimit || (result == OptimalSearch::Result::kStopped && !budget.check())) {
+        tried = true;
+        Budget half = share(false);
+        satisfice(found ? 1 : kFewTurns, half);
         here.upper_bound = std::min(here.upper_bound, limits.upper_bound);
+        result = OptimalSearch::Result::kNodeLimit;
       }
     }
     if (result == OptimalSearch::Result::kNodeLimit) {
       here.nodes = options.node_limit;
-      // Without a plan so far some time must be left for finding one; with one, more may not be worth the wait.
-      auto share = budget.limited() ? budget.deadline() - Clock::now() : std::chrono::nanoseconds(0);
-      if (!found) share /= 2;
-      if (found && options.proof_limit.count() > 0) {
-        const auto proof = std::max(options.proof_limit - (Clock::now() - start), std::chrono::nanoseconds(1));
-        share = budget.limited() ? std::min<std::chrono::nanoseconds>(share, proof) : proof;
-      }
-      Budget part(options.stop, share);
+      Budget part = share(found);
       result = optimal.resume(here, part, plan.statistics);
     }
     plan.lower_bound = std::max(plan.lower_bound, std::min(optimal.lower_bound(), bound));
@@ -312,7 +293,7 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
       }
       continue;
     }
-    if (!found && !budget.check()) exhausted = greedily(INT64_MAX, budget) == GreedySearch::Result::kExhausted;
+    if (!found && !budget.check()) exhausted = satisfice(kNoLimit, budget) == SatisficingSearch::Result::kExhausted;
     break;
   }
   if (found) plan.lower_bound = std::min(plan.lower_bound, plan.cost);
@@ -328,7 +309,12 @@ std::int64_t Planner::Impl::dearest_action() const {
 // Filters the task for plans below `bound`, again as long as that raises the estimate. Raises plan.lower_bound.
 Planner::Impl::Focus Planner::Impl::focus_on(std::int64_t bound, Plan& plan, Budget& budget) {
   std::int64_t estimate = first_estimate;
-  std::int64_t left_out = filter.filter(task, relaxed, lm_cut, estimate, bound, focused);
+  std::int64_t left_out = 0;
+  if (task.axioms.empty()) {
+    left_out = filter.filter(task, relaxed, lm_cut, estimate, bound, focused);
+  } else {
+    filter.copy(task, focused);
+  }
   if (focused.goal_impossible) return Focus::kNone;
   focused_relaxed.build(focused);
   initial_state(focused, &focused_initial);

@@ -63,6 +63,18 @@ void RelaxedTask::build(const GroundTask& task) {
       ++operators_.back().effect_end;
     }
   }
+  for (const GroundAxiom& axiom : task.axioms) {
+    if (task.needed[static_cast<std::size_t>(axiom.head)] == 0) continue;
+    add_operator(-1, task.conditions_of(axiom), {});
+    effects_.push_back(axiom.head);
+    ++operators_.back().effect_end;
+  }
+  for (std::size_t atom = 0; atom < task.derived.size(); ++atom) {  // that something is not derived costs nothing here
+    if (task.derived[atom] == 0 || task.needed[2 * atom + 1] == 0) continue;
+    add_operator(-1, {}, {});
+    effects_.push_back(static_cast<Proposition>(2 * atom + 1));
+    ++operators_.back().effect_end;
+  }
   for (std::size_t j = 0; j < task.junctions.size(); ++j) {
     const Junction& junction = task.junctions[j];
     const auto children = task.children(junction);

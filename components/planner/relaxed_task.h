@@ -1,6 +1,6 @@
 // The delete relaxation of a ground task: what once holds stays. Propositions are the needed literals, the junctions and
 // the goal; operators have plain lists of both. An action gives one operator for its unconditional effects and one for
-// each conditional effect.
+// each conditional effect, an axiom one that is free.
 #pragma once
 
 #include <cstdint>

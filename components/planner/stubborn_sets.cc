@@ -49,6 +49,7 @@ void StubbornSets::for_each_read(const GroundAction& action, const Visit& visit)
 
 void StubbornSets::restart(const GroundTask& task) {
   task_ = &task;
+  if (!task.axioms.empty()) return successors_.restart(task);
   const std::size_t literals = task.needed.size();
   fill_rows(literals, producer_begin_, producers_, [&](const auto& visit) {
     for (std::size_t a = 0; a < task.actions.size(); ++a) {
@@ -137,6 +138,10 @@ void StubbornSets::add_enabling(const Word* state, std::span<const ConditionId> 
 }
 
 const std::vector<std::int32_t>& StubbornSets::applicable(const Word* state) {
+  if (!task_->axioms.empty()) {
+    successors_.applicable(state, &result_);
+    return result_;
+  }
   ++round_;
   queue_.clear();
   result_.clear();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "components/planner/relaxed_task.h"
+#include "components/planner/successors.h"
 
 namespace goalnet::planner {
 
@@ -46,6 +47,7 @@ class StubbornSets {
   std::vector<std::uint32_t> seen_;
   std::uint32_t round_ = 0, seen_round_ = 0;
   std::vector<std::int32_t> queue_, result_;
+  Successors successors_;  // used where there are axioms: then every action may interfere with every other
 };
 
 }  // namespace goalnet::planner

@@ -136,7 +136,7 @@ std::int64_t Symmetry::find(const GroundTask& task, Budget& budget) {
   generators_.clear();
   words_ = std::max<std::size_t>(task.words(), 1);
   trial_.resize(words_);
-  if (!task.junctions.empty() || task.actions.size() > kMostActions) return 0;
+  if (!task.junctions.empty() || !task.axioms.empty() || task.actions.size() > kMostActions) return 0;
   const std::size_t atoms = task.initial.size();
   Colours start(atoms, 1);
   for (const ConditionId c : task.goal) {

@@ -16,7 +16,7 @@ namespace goalnet::planner {
 
 class Symmetry {
  public:
-  // Number of generators found. Tasks with junctions, or too large for it to pay, have none here.
+  // Number of generators found. Tasks with junctions or axioms, or too large for it to pay, have none here.
   std::int64_t find(const GroundTask& task, Budget& budget);
   std::int64_t count() const { return static_cast<std::int64_t>(generators_.size()); }
   // key = a representative of the state's orbit: generators are applied greedily as long as the result gets smaller.

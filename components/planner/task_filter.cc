@@ -1,6 +1,7 @@
 #include "components/planner/task_filter.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace goalnet::planner {
 
@@ -112,6 +113,12 @@ bool TaskFilter::translate_all(std::span<const ConditionId> conditions, GroundTa
   return true;
 }
 
+void TaskFilter::copy(const GroundTask& from, GroundTask& to) {
+  to = from;
+  original_.resize(from.actions.size());
+  std::iota(original_.begin(), original_.end(), 0);
+}
+
 std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relaxed, const LmCut& lm_cut,
                                 std::int64_t estimate, std::int64_t bound, GroundTask& to) {
   from_ = &from;
@@ -158,18 +165,7 @@ std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relax
     }
   }
 
-  to.atoms.clear();
-  to.initial.clear();
-  to.changes.clear();
-  to.needed.clear();
-  to.actions.clear();
-  to.bindings.clear();
-  to.effects.clear();
-  to.conditions.clear();
-  to.junctions.clear();
-  to.junction_children.clear();
-  to.goal.clear();
-  to.goal_impossible = false;
+  to.clear();
   new_atom_.assign(from.initial.size(), -1);
   original_.clear();
   for (const ConditionId condition : from.goal) {

@@ -21,6 +21,8 @@ class TaskFilter {
   // Returns how many actions were left out although they are reachable.
   std::int64_t filter(const GroundTask& from, const RelaxedTask& relaxed, const LmCut& lm_cut, std::int64_t estimate,
                       std::int64_t bound, GroundTask& to);
+  // The task as it is: axioms are not filtered.
+  void copy(const GroundTask& from, GroundTask& to);
   // By action of the filtered task: its number in `from`.
   const std::vector<std::int32_t>& original() const { return original_; }
 

@@ -10,6 +10,7 @@ Expected<Validation> validate(const Problem& problem, const std::vector<Action>&
   const Interpreter interpreter(problem);
   AtomSet state;
   state.assign(problem.initial);
+  interpreter.complete(state);
   Validation result;
   std::vector<ObjectId> binding;
   for (std::size_t step = 0; step < plan.size(); ++step) {
@@ -26,6 +27,7 @@ Expected<Validation> validate(const Problem& problem, const std::vector<Action>&
     for (const AtomChange& change : interpreter.changes(action.effect, action.slots, binding, state)) {
       state.set(change.predicate, change.arguments.data(), change.arguments.size(), change.added);
     }
+    interpreter.complete(state);
   }
   binding.assign(problem.goal_slots.size(), 0);
   if (!interpreter.holds(problem.goal, problem.goal_slots, binding, state)) {

@@ -188,6 +188,7 @@ Expected<void> prepare(const WorldState& state, const Action& action, Prepared& 
   if (!schema) return tl::unexpected(schema.error());
   prepared.schema = *schema;
   prepared.atoms.assign(prepared.problem.initial);
+  interpreter.complete(prepared.atoms);
   const ActionSchema& s = *prepared.schema;
   if (interpreter.holds(s.precondition, s.slots, prepared.binding, prepared.atoms)) return {};
   return fail(Outcome::kNoPlan, "(" + to_string(action) + ") is not possible: " +

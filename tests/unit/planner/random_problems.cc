@@ -26,10 +26,19 @@ class Writer {
       for (int i = 0; i < arity_[p]; ++i) domain += " ?x" + std::to_string(i);
       domain += ")";
     }
-    domain += " (derived ?x))\n(:functions (total-cost) - number)\n";
+    domain += " (derived ?x) (chain ?x ?y))\n(:functions (total-cost) - number (price ?x) - number)\n";
     variables_ = {"?x"};
     derived_allowed_ = false;
     domain += "(:derived (derived ?x) " + formula(1) + ")\n";
+    if (below(3) == 0) {  // a chain of links that hold at the time; sometimes two definitions, sometimes with a negation
+      chain_ = true;
+      variables_ = {"?x", "?y"};
+      const std::string link = formula(1);
+      domain += below(2) == 0
+                    ? "(:derived (chain ?x ?y) (or " + link + " (exists (?z) (and (chain ?x ?z) (chain ?z ?y)))))\n"
+                    : "(:derived (chain ?x ?y - (either t u)) " + link +
+                          ")\n(:derived (chain ?x ?y) (exists (?z) (and (chain ?x ?z) (chain ?z ?y) (not (derived ?z)))))\n";
+    }
     derived_allowed_ = true;
     const int actions = 2 + below(4);
     for (int a = 0; a < actions; ++a) domain += action(a);
@@ -39,6 +48,11 @@ class Writer {
     for (std::size_t p = 0; p < arity_.size(); ++p) {
       for (const std::string& atom : atoms(p)) {
         if (below(4) == 0) problem += " " + atom;
+      }
+    }
+    if (with_costs_) {
+      for (const char* object : {"k", "a", "b", "c"}) {
+        problem += " (= (price " + std::string(object) + ") " + std::to_string(below(4)) + ")";
       }
     }
     objects_only_ = true;
@@ -85,6 +99,7 @@ class Writer {
     std::string text = derived_allowed_ && below(8) == 0
                            ? "(derived " + term() + ")"
                            : atom(static_cast<std::size_t>(below(static_cast<int>(arity_.size()))));
+    if (chain_ && derived_allowed_ && below(5) == 0) text = "(chain " + term() + " " + term() + ")";
     if (below(6) == 0) text = "(= " + term() + " " + term() + ")";
     return below(3) == 0 ? "(not " + text + ")" : text;
   }
@@ -125,7 +140,7 @@ class Writer {
     const int parameters = below(4) == 0 ? 0 : 1 + below(2);
     for (int i = 0; i < parameters; ++i) {
       variables_.push_back("?v" + std::to_string(i));
-      text += variables_.back() + (below(2) == 0 ? " - t " : " ");
+      text += variables_.back() + (below(2) == 0 ? " - t " : below(4) == 0 ? " - (either t u) " : " ");
     }
     text += ")\n :precondition (and";
     const int conditions = 1 + below(3);
@@ -133,7 +148,11 @@ class Writer {
     text += ")\n :effect (and";
     const int effects = 1 + below(3);
     for (int i = 0; i < effects; ++i) text += " " + effect(2);
-    if (with_costs_) text += " (increase (total-cost) " + std::to_string(below(4)) + ")";
+    if (with_costs_) {
+      const bool priced = below(3) == 0;
+      variables_.resize(static_cast<std::size_t>(parameters));
+      text += " (increase (total-cost) " + (priced ? "(price " + term() + ")" : std::to_string(below(4))) + ")";
+    }
     return text + "))\n";
   }
 
@@ -141,6 +160,7 @@ class Writer {
   bool with_costs_;
   bool derived_allowed_ = true;
   bool objects_only_ = false;
+  bool chain_ = false;  // the recursive predicate is defined
   std::vector<int> arity_;
   std::vector<std::string> variables_;
   int quantified_ = 0;
@@ -149,11 +169,12 @@ class Writer {
 using Atom = std::vector<std::int32_t>;  // predicate, arguments
 using State = std::set<Atom>;
 
-AtomSet set_of(const State& state) {
+AtomSet set_of(const Problem& problem, const State& state) {
   AtomTable table;
   for (const Atom& atom : state) table.add(atom[0], atom.data() + 1, atom.size() - 1);
   AtomSet result;
   result.assign(table);
+  Interpreter(problem).complete(result);
   return result;
 }
 
@@ -171,7 +192,7 @@ State state_of(const Problem& problem) {
 template <class Visit>
 void for_each_successor(const Problem& problem, const State& state, const Visit& visit) {
   const Interpreter interpreter(problem);
-  const AtomSet atoms = set_of(state);
+  const AtomSet atoms = set_of(problem, state);
   for (const ActionSchema& action : problem.domain().actions) {
     std::vector<ObjectId> binding(action.slots.size(), 0);
     const auto expand = [&](const auto& self, std::int32_t parameter) -> void {
@@ -253,7 +274,7 @@ Reference breadth_first(const Problem& problem, std::size_t most_states) {
     open.pop();
     if (g > best.at(*state)) continue;
     std::vector<ObjectId> goal_binding(problem.goal_slots.size(), 0);
-    if (interpreter.holds(problem.goal, problem.goal_slots, goal_binding, set_of(*state))) return {true, false, g};
+    if (interpreter.holds(problem.goal, problem.goal_slots, goal_binding, set_of(problem, *state))) return {true, false, g};
     if (best.size() > most_states) return {false, true, 0};
     for_each_successor(problem, *state, [&, from = g](State next, std::int64_t cost) {
       const auto [place, is_new] = best.emplace(std::move(next), from + cost);

@@ -1,0 +1,66 @@
+// The thorough way to some plan: lazy greedy best-first search that alternates between two estimates, the relaxed plan and
+// the number of landmarks still missing, each with a queue of its own for preferred actions (LAMA; Richter and Westphal,
+// JAIR 2010). Where relaxed plans mislead, as in tall towers, the order of landmarks leads on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "components/planner/budget.h"
+#include "components/planner/greedy_search.h"
+#include "components/planner/landmarks.h"
+#include "components/planner/plan.h"
+#include "components/planner/relaxed_plan.h"
+#include "components/planner/state_table.h"
+
+namespace goalnet::planner {
+
+class LandmarkSearch {
+ public:
+  using Result = GreedySearch::Result;
+
+  // `most_states`: evaluated before giving up with kLimit; `most_bytes` likewise with kMemory (0 = no limit).
+  // Only plans cheaper than `upper_bound` count.
+  Result search(const GroundTask& task, RelaxedPlanner& heuristic, Landmarks& landmarks, const Word* initial,
+                std::int64_t upper_bound, std::int64_t most_states, std::int64_t most_bytes, Budget& budget,
+                Statistics& statistics);
+  const std::vector<std::int32_t>& plan() const { return plan_; }
+
+ private:
+  struct Node {
+    std::int64_t g = 0;
+    std::int32_t parent = -1;
+    std::int32_t action = -1;
+  };
+  struct Entry {  // a successor not yet made
+    std::int64_t h;
+    std::int64_t serial;  // first in, first out
+    std::int32_t parent, action;
+    bool operator<(const Entry& other) const { return h != other.h ? h > other.h : serial > other.serial; }
+  };
+  struct Queue {
+    std::vector<Entry> heap;
+    std::int64_t priority = 0;
+  };
+  enum QueueKind : std::size_t { kByPlan, kByPlanPreferred, kByLandmarks, kByLandmarksPreferred, kQueues };
+
+  void push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action);
+  bool pop(Entry* entry);
+  void open(const GroundTask& task, RelaxedPlanner& heuristic, Landmarks& landmarks, std::int32_t id,
+            Budget& budget, Statistics& statistics);
+  std::int64_t bytes() const;
+  Word* reached(std::int32_t id) { return reached_.data() + static_cast<std::size_t>(id) * landmark_words_; }
+
+  StateTable states_;
+  std::vector<Node> nodes_;
+  std::vector<Word> reached_;  // by state: its landmarks
+  std::size_t landmark_words_ = 1;
+  std::array<Queue, kQueues> queues_;
+  std::int64_t serial_ = 0, best_by_plan_ = 0, best_by_landmarks_ = 0;
+  std::vector<Word> next_, next_reached_;
+  std::vector<std::uint8_t> preferred_;  // by action
+  std::vector<std::int32_t> plan_;
+};
+
+}  // namespace goalnet::planner

@@ -1,0 +1,106 @@
+#include "components/planner/novelty_search.h"
+
+#include <algorithm>
+
+namespace goalnet::planner {
+
+bool NoveltySearch::is_new(const GroundTask& task, const Word* state, std::int32_t missing) {
+  const std::size_t words = task.words();
+  const auto i = static_cast<std::size_t>(missing);
+  if (seen_true_.size() <= i) {
+    seen_true_.resize(i + 1);
+    seen_false_.resize(i + 1);
+  }
+  seen_true_[i].resize(words, 0);
+  seen_false_[i].resize(words, 0);
+  Word fresh = 0;
+  for (std::size_t w = 0; w < words; ++w) {
+    fresh |= (state[w] & ~seen_true_[i][w]) | (~state[w] & ~seen_false_[i][w]);
+    seen_true_[i][w] |= state[w];
+    seen_false_[i][w] |= ~state[w];
+  }
+  return fresh != 0;
+}
+
+std::int32_t NoveltySearch::push(const GroundTask& task, Landmarks& landmarks, std::int32_t id, bool committed) {
+  const std::int32_t missing = landmarks.missing(states_.state(id), reached(id));
+  heap_.push_back({is_new(task, states_.state(id), missing) ? 0 : 1, committed ? 0 : missing, id});
+  std::push_heap(heap_.begin(), heap_.end());
+  return missing;
+}
+
+std::int64_t NoveltySearch::bytes() const {
+  return states_.bytes() + static_cast<std::int64_t>(heap_.capacity() * sizeof(Entry) + nodes_.capacity() * sizeof(Node) +
+                                                     reached_.capacity() * sizeof(Word));
+}
+
+NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& landmarks, const Word* initial,
+                                            std::int64_t upper_bound, std::int64_t most_states, std::int64_t most_bytes,
+                                            bool committed, Budget& budget, Statistics& statistics) {
+  const std::size_t words = std::max<std::size_t>(task.words(), 1);
+  successors_.restart(task);
+  states_.restart(words, false);
+  nodes_.clear();
+  heap_.clear();
+  seen_true_.clear();
+  seen_false_.clear();
+  landmark_words_ = landmarks.words();
+  reached_.assign(landmark_words_, 0);
+  next_.resize(words);
+  next_reached_.resize(landmark_words_);
+  plan_.clear();
+  bool is_new_state = false;
+  states_.add(initial, initial, &is_new_state);
+  nodes_.push_back({});
+  landmarks.note(initial, reached(0));
+  std::int32_t fewest = push(task, landmarks, 0, committed);
+  Result result = Result::kExhausted;
+  while (!heap_.empty() && result == Result::kExhausted) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const std::int32_t id = heap_.back().node;
+    heap_.pop_back();
+    ++statistics.expanded;
+    successors_.applicable(states_.state(id), &applicable_);
+    for (const std::int32_t number : applicable_) {
+      if (budget.poll()) {
+        result = Result::kStopped;
+        break;
+      }
+      const GroundAction& action = task.actions[static_cast<std::size_t>(number)];
+      const std::int64_t g = nodes_[static_cast<std::size_t>(id)].g + action.cost;
+      if (g >= upper_bound) continue;
+      apply_action(task, states_.state(id), action, next_.data());
+      ++statistics.generated;
+      const std::int32_t child = states_.add(next_.data(), next_.data(), &is_new_state);
+      if (!is_new_state) continue;
+      nodes_.push_back({g, id, number});
+      if (all_hold(task, next_.data(), task.goal)) {
+        for (std::int32_t at = child; nodes_[static_cast<std::size_t>(at)].parent >= 0;
+             at = nodes_[static_cast<std::size_t>(at)].parent) {
+          plan_.push_back(nodes_[static_cast<std::size_t>(at)].action);
+        }
+        std::reverse(plan_.begin(), plan_.end());
+        result = Result::kFound;
+        break;
+      }
+      std::copy_n(reached(id), landmark_words_, next_reached_.begin());
+      landmarks.note(next_.data(), next_reached_.data());
+      reached_.insert(reached_.end(), next_reached_.begin(), next_reached_.end());
+      const std::int32_t missing = push(task, landmarks, child, committed);
+      if (missing >= fewest) continue;
+      fewest = missing;
+      if (!committed) continue;
+      heap_.assign(1, {0, 0, child});
+      seen_true_.clear();
+      seen_false_.clear();
+      break;
+    }
+    if (result == Result::kExhausted && states_.size() > most_states) result = Result::kLimit;
+    if (result == Result::kExhausted && most_bytes > 0 && bytes() > most_bytes) result = Result::kMemory;
+  }
+  if (committed && result == Result::kExhausted) result = Result::kLimit;
+  statistics.peak_bytes = std::max(statistics.peak_bytes, bytes());
+  return result;
+}
+
+}  // namespace goalnet::planner

@@ -1,0 +1,66 @@
+// Best-first search for something new (Lipovetzky and Geffner, AAAI 2017, best-first width search): states with a literal
+// never seen before among states with as many landmarks missing come first, those with fewer missing before others. It
+// computes no relaxed plans, so that it makes many more states than the other searches, and plateaus do not hold it up for
+// long: per number of missing landmarks there are at most as many new states as literals.
+//
+// Committed, it forgets all other states whenever fewer landmarks are missing than ever before: the way to large plans, but
+// it may end where nothing leads on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "components/planner/budget.h"
+#include "components/planner/greedy_search.h"
+#include "components/planner/landmarks.h"
+#include "components/planner/plan.h"
+#include "components/planner/state_table.h"
+#include "components/planner/successors.h"
+
+namespace goalnet::planner {
+
+class NoveltySearch {
+ public:
+  using Result = GreedySearch::Result;
+
+  // `most_states`: generated before giving up with kLimit; `most_bytes` likewise with kMemory (0 = no limit).
+  // Only plans cheaper than `upper_bound` count. A committed search answers kLimit where it ends without a plan.
+  Result search(const GroundTask& task, Landmarks& landmarks, const Word* initial, std::int64_t upper_bound,
+                std::int64_t most_states, std::int64_t most_bytes, bool committed, Budget& budget, Statistics& statistics);
+  const std::vector<std::int32_t>& plan() const { return plan_; }
+
+ private:
+  struct Node {
+    std::int64_t g = 0;
+    std::int32_t parent = -1;
+    std::int32_t action = -1;
+  };
+  struct Entry {
+    std::int32_t old = 0;  // 0: with something new
+    std::int32_t missing = 0;
+    std::int32_t node = 0;
+    bool operator<(const Entry& other) const {
+      if (old != other.old) return old > other.old;
+      if (missing != other.missing) return missing > other.missing;
+      return node > other.node;  // first in, first out
+    }
+  };
+
+  bool is_new(const GroundTask& task, const Word* state, std::int32_t missing);
+  // The number of landmarks missing in the state.
+  std::int32_t push(const GroundTask& task, Landmarks& landmarks, std::int32_t id, bool committed);
+  Word* reached(std::int32_t id) { return reached_.data() + static_cast<std::size_t>(id) * landmark_words_; }
+  std::int64_t bytes() const;
+
+  Successors successors_;
+  StateTable states_;
+  std::vector<Node> nodes_;
+  std::vector<Entry> heap_;
+  std::vector<Word> reached_;  // by state: landmarks
+  std::size_t landmark_words_ = 1;
+  std::vector<std::vector<Word>> seen_true_, seen_false_;  // by number of missing landmarks: atoms
+  std::vector<Word> next_, next_reached_;
+  std::vector<std::int32_t> applicable_, plan_;
+};
+
+}  // namespace goalnet::planner

@@ -1,0 +1,12 @@
+; Blocks moved one by one, with the recursive "above" as a goal and a condition.
+(define (domain above)
+  (:requirements :strips :typing :equality :negative-preconditions :derived-predicates)
+  (:types block)
+  (:predicates (on ?x ?y - block) (ontable ?x - block) (clear ?x - block) (above ?x ?y - block) (base ?x ?y - block))
+  (:derived (above ?x ?y - block) (or (on ?x ?y) (exists (?z - block) (and (on ?x ?z) (above ?z ?y)))))
+  (:derived (clear ?x - block) (not (exists (?y - block) (on ?y ?x))))
+  (:action stack :parameters (?x ?y - block)
+    :precondition (and (clear ?x) (clear ?y) (ontable ?x) (not (= ?x ?y)) (not (above ?y ?x)))
+    :effect (and (on ?x ?y) (not (ontable ?x))))
+  (:action unstack :parameters (?x ?y - block) :precondition (and (clear ?x) (on ?x ?y))
+    :effect (and (ontable ?x) (not (on ?x ?y)))))

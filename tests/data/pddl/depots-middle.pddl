@@ -1,0 +1,16 @@
+(define (problem depots-middle) (:domain depots)
+  (:objects depot0 depot1 - depot dist0 dist1 dist2 dist3 - distributor truck0 truck1 truck2 - truck pallet0 pallet1 pallet2 pallet3 pallet4 pallet5 - pallet crate0 crate1 crate2 crate3 crate4 crate5 crate6 crate7 crate8 crate9 - crate hoist0 hoist1 hoist2 hoist3 hoist4 hoist5 - hoist)
+  (:init
+    (at pallet0 depot0) (at pallet1 depot1) (at pallet2 dist0) (at pallet3 dist1) (at pallet4 dist2)
+    (at pallet5 dist3) (at hoist0 depot0) (available hoist0) (at hoist1 depot1) (available hoist1)
+    (at hoist2 dist0) (available hoist2) (at hoist3 dist1) (available hoist3) (at hoist4 dist2)
+    (available hoist4) (at hoist5 dist3) (available hoist5) (at truck0 dist2) (at truck1 dist3)
+    (at truck2 dist0) (on crate0 pallet0) (at crate0 depot0) (on crate1 pallet5) (at crate1 dist3)
+    (on crate2 pallet1) (at crate2 depot1) (on crate3 crate0) (at crate3 depot0) (on crate4 pallet3)
+    (at crate4 dist1) (on crate5 crate3) (at crate5 depot0) (on crate6 crate5) (at crate6 depot0)
+    (on crate7 crate2) (at crate7 depot1) (on crate8 crate7) (at crate8 depot1) (on crate9 crate4)
+    (at crate9 dist1) (clear crate6) (clear crate8) (clear pallet2) (clear crate9) (clear pallet4)
+    (clear crate1))
+  (:goal (and
+    (on crate4 pallet3) (on crate2 pallet5) (on crate1 crate4) (on crate5 pallet4) (on crate9 crate2)
+    (on crate6 pallet1) (on crate8 crate9))))

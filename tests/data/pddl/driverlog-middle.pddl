@@ -1,0 +1,15 @@
+(define (problem driverlog-middle) (:domain driverlog)
+  (:objects driver0 driver1 driver2 - driver truck0 truck1 truck2 - truck package0 package1 package2 package3 package4 package5 package6 package7 - obj s0 s1 s2 s3 s4 s5 s6 s7 p1 p2 p3 p4 p5 p6 p7 - location)
+  (:init
+    (link s1 s0) (link s0 s1) (link s2 s0) (link s0 s2) (link s3 s1) (link s1 s3) (link s4 s1) (link s1 s4)
+    (link s5 s2) (link s2 s5) (link s6 s2) (link s2 s6) (link s7 s3) (link s3 s7) (link s1 s7) (link s7 s1)
+    (link s4 s6) (link s6 s4) (link s7 s5) (link s5 s7) (path s1 p1) (path p1 s1) (path p1 s0) (path s0 p1)
+    (path s2 p2) (path p2 s2) (path p2 s0) (path s0 p2) (path s3 p3) (path p3 s3) (path p3 s2) (path s2 p3)
+    (path s4 p4) (path p4 s4) (path p4 s1) (path s1 p4) (path s5 p5) (path p5 s5) (path p5 s0) (path s0 p5)
+    (path s6 p6) (path p6 s6) (path p6 s2) (path s2 p6) (path s7 p7) (path p7 s7) (path p7 s1) (path s1 p7)
+    (at driver0 s1) (at driver1 s7) (at driver2 s5) (at truck0 s7) (empty truck0) (at truck1 s7) (empty truck1)
+    (at truck2 s3) (empty truck2) (at package0 s2) (at package1 s5) (at package2 s4) (at package3 s1)
+    (at package4 s4) (at package5 s5) (at package6 s6) (at package7 s5))
+  (:goal (and
+    (at package0 s4) (at package1 s0) (at package2 s0) (at package3 s3) (at package4 s3) (at package5 s3)
+    (at package6 s0) (at package7 s0) (at driver0 s6) (at driver1 s2) (at driver2 s1) (at truck0 s6))))

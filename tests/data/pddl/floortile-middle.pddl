@@ -1,0 +1,16 @@
+(define (problem floortile-middle) (:domain floor-tile)
+  (:objects t0-0 t0-1 t0-2 t1-0 t1-1 t1-2 t2-0 t2-1 t2-2 t3-0 t3-1 t3-2 - tile robot0 robot1 - robot white black - color)
+  (:init
+    (= (total-cost) 0) (up t1-0 t0-0) (down t0-0 t1-0) (right t0-1 t0-0) (left t0-0 t0-1) (up t1-1 t0-1)
+    (down t0-1 t1-1) (right t0-2 t0-1) (left t0-1 t0-2) (up t1-2 t0-2) (down t0-2 t1-2) (up t2-0 t1-0)
+    (down t1-0 t2-0) (right t1-1 t1-0) (left t1-0 t1-1) (up t2-1 t1-1) (down t1-1 t2-1) (right t1-2 t1-1)
+    (left t1-1 t1-2) (up t2-2 t1-2) (down t1-2 t2-2) (up t3-0 t2-0) (down t2-0 t3-0) (right t2-1 t2-0)
+    (left t2-0 t2-1) (up t3-1 t2-1) (down t2-1 t3-1) (right t2-2 t2-1) (left t2-1 t2-2) (up t3-2 t2-2)
+    (down t2-2 t3-2) (right t3-1 t3-0) (left t3-0 t3-1) (right t3-2 t3-1) (left t3-1 t3-2)
+    (robot-at robot0 t0-0) (robot-has robot0 black) (robot-at robot1 t1-1) (robot-has robot1 white) (clear t0-1)
+    (clear t0-2) (clear t1-0) (clear t1-2) (clear t2-0) (clear t2-1) (clear t2-2) (clear t3-0) (clear t3-1)
+    (clear t3-2) (available-color white) (available-color black))
+  (:goal (and
+    (painted t1-0 white) (painted t1-1 black) (painted t1-2 white) (painted t2-0 black) (painted t2-1 white)
+    (painted t2-2 black) (painted t3-0 white) (painted t3-1 black) (painted t3-2 white)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,15 @@
+(define (problem miconic-middle) (:domain miconic)
+  (:objects f0 f1 f2 f3 f4 f5 f6 f7 f8 f9 - floor p0 - passenger p1 - going_nonstop p2 - going_nonstop p3 - passenger p4 - vip p5 - attendant p6 - passenger p7 - passenger p8 - attendant)
+  (:init
+    (lift-at f0) (above f0 f1) (above f0 f2) (above f0 f3) (above f0 f4) (above f0 f5) (above f0 f6)
+    (above f0 f7) (above f0 f8) (above f0 f9) (above f1 f2) (above f1 f3) (above f1 f4) (above f1 f5)
+    (above f1 f6) (above f1 f7) (above f1 f8) (above f1 f9) (above f2 f3) (above f2 f4) (above f2 f5)
+    (above f2 f6) (above f2 f7) (above f2 f8) (above f2 f9) (above f3 f4) (above f3 f5) (above f3 f6)
+    (above f3 f7) (above f3 f8) (above f3 f9) (above f4 f5) (above f4 f6) (above f4 f7) (above f4 f8)
+    (above f4 f9) (above f5 f6) (above f5 f7) (above f5 f8) (above f5 f9) (above f6 f7) (above f6 f8)
+    (above f6 f9) (above f7 f8) (above f7 f9) (above f8 f9) (origin p0 f2) (destin p0 f1) (origin p1 f3)
+    (destin p1 f9) (origin p2 f8) (destin p2 f1) (no-access p2 f3) (origin p3 f9) (destin p3 f4) (origin p4 f7)
+    (destin p4 f3) (origin p5 f2) (destin p5 f8) (origin p6 f9) (destin p6 f8) (origin p7 f4) (destin p7 f1)
+    (origin p8 f3) (destin p8 f1))
+  (:goal (and
+    (forall (?p - passenger) (served ?p)))))

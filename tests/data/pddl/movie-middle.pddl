@@ -1,0 +1,15 @@
+(define (problem movie-middle) (:domain movie)
+  (:objects c0 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14 c15 c16 c17 c18 c19 c20 c21 c22 c23 c24 c25 c26 c27 c28 c29 d0 d1 d2 d3 d4 d5 d6 d7 d8 d9 d10 d11 d12 d13 d14 d15 d16 d17 d18 d19 d20 d21 d22 d23 d24 d25 d26 d27 d28 d29 z0 z1 z2 z3 z4 z5 z6 z7 z8 z9 z10 z11 z12 z13 z14 z15 z16 z17 z18 z19 z20 z21 z22 z23 z24 z25 z26 z27 z28 z29)
+  (:init
+    (chips c0) (chips c1) (chips c2) (chips c3) (chips c4) (chips c5) (chips c6) (chips c7) (chips c8)
+    (chips c9) (chips c10) (chips c11) (chips c12) (chips c13) (chips c14) (chips c15) (chips c16) (chips c17)
+    (chips c18) (chips c19) (chips c20) (chips c21) (chips c22) (chips c23) (chips c24) (chips c25) (chips c26)
+    (chips c27) (chips c28) (chips c29) (dip d0) (dip d1) (dip d2) (dip d3) (dip d4) (dip d5) (dip d6) (dip d7)
+    (dip d8) (dip d9) (dip d10) (dip d11) (dip d12) (dip d13) (dip d14) (dip d15) (dip d16) (dip d17) (dip d18)
+    (dip d19) (dip d20) (dip d21) (dip d22) (dip d23) (dip d24) (dip d25) (dip d26) (dip d27) (dip d28)
+    (dip d29) (pop z0) (pop z1) (pop z2) (pop z3) (pop z4) (pop z5) (pop z6) (pop z7) (pop z8) (pop z9)
+    (pop z10) (pop z11) (pop z12) (pop z13) (pop z14) (pop z15) (pop z16) (pop z17) (pop z18) (pop z19)
+    (pop z20) (pop z21) (pop z22) (pop z23) (pop z24) (pop z25) (pop z26) (pop z27) (pop z28) (pop z29)
+    (counter-at-other-than-two-hours))
+  (:goal (and
+    (movie-rewound) (counter-at-zero) (have-chips) (have-dip) (have-pop))))

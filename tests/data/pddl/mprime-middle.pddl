@@ -1,0 +1,17 @@
+(define (problem mprime-middle) (:domain mprime)
+  (:objects node0 node1 node2 node3 node4 node5 node6 node7 - node v0 v1 v2 - conveyance cargo0 cargo1 cargo2 cargo3 cargo4 cargo5 - cargo fuel0 fuel1 fuel2 fuel3 fuel4 fuel5 fuel6 - fuel space0 space1 space2 space3 - space)
+  (:init
+    (fuel-neighbor fuel0 fuel1) (fuel-neighbor fuel1 fuel2) (fuel-neighbor fuel2 fuel3)
+    (fuel-neighbor fuel3 fuel4) (fuel-neighbor fuel4 fuel5) (fuel-neighbor fuel5 fuel6)
+    (space-neighbor space0 space1) (space-neighbor space1 space2) (space-neighbor space2 space3)
+    (conn node1 node0) (conn node0 node1) (conn node2 node1) (conn node1 node2) (conn node3 node0)
+    (conn node0 node3) (conn node4 node1) (conn node1 node4) (conn node4 node3) (conn node3 node4)
+    (conn node5 node0) (conn node0 node5) (conn node6 node1) (conn node1 node6) (conn node6 node3)
+    (conn node3 node6) (conn node7 node1) (conn node1 node7) (conn node7 node3) (conn node3 node7)
+    (conn node7 node4) (conn node4 node7) (has-fuel node0 fuel2) (has-fuel node1 fuel5) (has-fuel node2 fuel2)
+    (has-fuel node3 fuel3) (has-fuel node4 fuel3) (has-fuel node5 fuel5) (has-fuel node6 fuel5)
+    (has-fuel node7 fuel5) (at v0 node7) (has-space v0 space2) (at v1 node2) (has-space v1 space2) (at v2 node7)
+    (has-space v2 space1) (at cargo0 node1) (at cargo1 node3) (at cargo2 node5) (at cargo3 node1)
+    (at cargo4 node3) (at cargo5 node4))
+  (:goal (and
+    (at cargo0 node0) (at cargo1 node6) (at cargo2 node4))))

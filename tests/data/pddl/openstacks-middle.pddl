@@ -1,0 +1,17 @@
+(define (problem openstacks-middle) (:domain openstacks)
+  (:objects n0 n1 n2 n3 n4 n5 n6 n7 n8 n9 n10 n11 n12 - count o0 o1 o2 o3 o4 o5 o6 o7 o8 o9 o10 o11 - order p0 p1 p2 p3 p4 p5 p6 p7 p8 p9 p10 p11 - product)
+  (:init
+    (next-count n0 n1) (next-count n1 n2) (next-count n2 n3) (next-count n3 n4) (next-count n4 n5)
+    (next-count n5 n6) (next-count n6 n7) (next-count n7 n8) (next-count n8 n9) (next-count n9 n10)
+    (next-count n10 n11) (next-count n11 n12) (stacks-avail n0) (waiting o0) (includes o0 p5) (includes o0 p8)
+    (includes o0 p6) (includes o0 p2) (waiting o1) (includes o1 p3) (includes o1 p8) (includes o1 p0)
+    (includes o1 p10) (waiting o2) (includes o2 p8) (waiting o3) (includes o3 p2) (waiting o4) (includes o4 p6)
+    (includes o4 p7) (waiting o5) (includes o5 p2) (includes o5 p8) (includes o5 p4) (waiting o6)
+    (includes o6 p6) (includes o6 p9) (waiting o7) (includes o7 p1) (includes o7 p6) (waiting o8)
+    (includes o8 p0) (includes o8 p1) (waiting o9) (includes o9 p10) (includes o9 p9) (includes o9 p8)
+    (includes o9 p11) (waiting o10) (includes o10 p1) (includes o10 p3) (includes o10 p2) (waiting o11)
+    (includes o11 p8) (includes o11 p3) (includes o11 p0) (includes o11 p2) (= (total-cost) 0))
+  (:goal (and
+    (shipped o0) (shipped o1) (shipped o2) (shipped o3) (shipped o4) (shipped o5) (shipped o6) (shipped o7)
+    (shipped o8) (shipped o9) (shipped o10) (shipped o11)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,17 @@
+(define (problem pipesworld-middle) (:domain pipesworld)
+  (:objects s0 s1 s2 s3 - pipe a0 a1 a2 a3 - area b0 b1 b2 b3 b4 b5 b6 b7 b8 b9 b10 b11 b12 b13 - batch-atom)
+  (:init
+    (may-interface lco lco) (may-interface gasoleo gasoleo) (may-interface rat-a rat-a)
+    (may-interface oca1 oca1) (may-interface oc1b oc1b) (may-interface lco gasoleo) (may-interface gasoleo lco)
+    (may-interface lco rat-a) (may-interface rat-a lco) (may-interface gasoleo oca1)
+    (may-interface oca1 gasoleo) (may-interface oca1 oc1b) (may-interface oc1b oca1)
+    (may-interface gasoleo oc1b) (may-interface oc1b gasoleo) (connect a0 a1 s0) (normal s0) (is-product b0 lco)
+    (unitary s0) (first b0 s0) (last b0 s0) (connect a1 a2 s1) (normal s1) (is-product b1 lco)
+    (is-product b2 gasoleo) (not-unitary s1) (first b1 s1) (follow b2 b1) (last b2 s1) (connect a2 a3 s2)
+    (normal s2) (is-product b3 lco) (unitary s2) (first b3 s2) (last b3 s2) (connect a3 a0 s3) (normal s3)
+    (is-product b4 lco) (is-product b5 gasoleo) (not-unitary s3) (first b4 s3) (follow b5 b4) (last b5 s3)
+    (is-product b6 gasoleo) (on b6 a1) (is-product b7 rat-a) (on b7 a1) (is-product b8 rat-a) (on b8 a2)
+    (is-product b9 rat-a) (on b9 a2) (is-product b10 gasoleo) (on b10 a3) (is-product b11 lco) (on b11 a0)
+    (is-product b12 lco) (on b12 a3) (is-product b13 gasoleo) (on b13 a3))
+  (:goal (and
+    (on b6 a3) (on b7 a0))))

@@ -1,0 +1,18 @@
+(define (problem psr-middle) (:domain psr)
+  (:objects cb0 cb1 cb2 sd0-0 sd0-1 sd0-2 sd0-3 sd0-4 sd1-0 sd1-1 sd1-2 sd1-3 sd1-4 sd2-0 sd2-1 sd2-2 sd2-3 sd2-4 - device l0-0 l0-1 l0-2 l0-3 l0-4 l1-0 l1-1 l1-2 l1-3 l1-4 l2-0 l2-1 l2-2 l2-3 l2-4 lx0 lx1 lx2 - line)
+  (:init
+    (opposite side1 side2) (opposite side2 side1) (breaker cb0) (closed cb0) (ext l0-0 cb0 side2)
+    (ext l0-0 sd0-0 side1) (closed sd0-0) (ext l0-1 sd0-0 side2) (ext l0-1 sd0-1 side1) (closed sd0-1)
+    (ext l0-2 sd0-1 side2) (ext l0-2 sd0-2 side1) (closed sd0-2) (ext l0-3 sd0-2 side2) (ext l0-3 sd0-3 side1)
+    (closed sd0-3) (ext l0-4 sd0-3 side2) (ext l0-4 sd0-4 side1) (breaker cb1) (closed cb1) (ext l1-0 cb1 side2)
+    (ext l1-0 sd1-0 side1) (closed sd1-0) (ext l1-1 sd1-0 side2) (ext l1-1 sd1-1 side1) (closed sd1-1)
+    (ext l1-2 sd1-1 side2) (ext l1-2 sd1-2 side1) (closed sd1-2) (ext l1-3 sd1-2 side2) (ext l1-3 sd1-3 side1)
+    (closed sd1-3) (ext l1-4 sd1-3 side2) (ext l1-4 sd1-4 side1) (breaker cb2) (closed cb2) (ext l2-0 cb2 side2)
+    (ext l2-0 sd2-0 side1) (closed sd2-0) (ext l2-1 sd2-0 side2) (ext l2-1 sd2-1 side1) (closed sd2-1)
+    (ext l2-2 sd2-1 side2) (ext l2-2 sd2-2 side1) (closed sd2-2) (ext l2-3 sd2-2 side2) (ext l2-3 sd2-3 side1)
+    (closed sd2-3) (ext l2-4 sd2-3 side2) (ext l2-4 sd2-4 side1) (ext lx0 sd0-4 side2) (ext lx0 sd1-4 side2)
+    (ext lx1 sd1-4 side2) (ext lx1 sd2-4 side2) (ext lx2 sd2-4 side2) (ext lx2 sd0-4 side2) (faulty l0-2))
+  (:goal (and
+    (not (affected cb0)) (not (affected cb1)) (not (affected cb2)) (fed l0-0) (fed l0-1) (fed l0-3) (fed l0-4)
+    (fed l1-0) (fed l1-1) (fed l1-2) (fed l1-3) (fed l1-4) (fed l2-0) (fed l2-1) (fed l2-2) (fed l2-3)
+    (fed l2-4))))

@@ -1,0 +1,15 @@
+(define (problem schedule-small) (:domain schedule)
+  (:objects a0 a1 a2 - part circular oblong - ashape blue red yellow black - colour one two three - width front back - anorient)
+  (:init
+    (has-bit drill-press one) (has-bit drill-press two) (has-bit drill-press three)
+    (can-orient drill-press front) (can-orient drill-press back) (has-bit punch one) (has-bit punch two)
+    (has-bit punch three) (can-orient punch front) (can-orient punch back) (has-paint spray-painter blue)
+    (has-paint spray-painter red) (has-paint spray-painter yellow) (has-paint spray-painter black)
+    (has-paint immersion-painter blue) (has-paint immersion-painter red) (has-paint immersion-painter yellow)
+    (has-paint immersion-painter black) (temperature a0 cold) (shape a0 circular) (surface-condition a0 rough)
+    (painted a0 red) (has-hole a0 three back) (temperature a1 cold) (shape a1 cylindrical)
+    (surface-condition a1 rough) (painted a1 black) (has-hole a1 two front) (temperature a2 cold)
+    (shape a2 oblong) (surface-condition a2 rough) (painted a2 black) (has-hole a2 three front))
+  (:goal (and
+    (shape a0 cylindrical) (surface-condition a1 smooth) (painted a2 blue) (surface-condition a0 smooth)
+    (painted a1 yellow))))

@@ -1,0 +1,16 @@
+(define (problem tidybot-small) (:domain tidybot)
+  (:objects c0-1 c0-2 c0-3 c1-0 c1-1 c1-2 c1-3 c2-0 c2-1 c2-2 c2-3 c3-0 c3-1 c3-2 c3-3 - cell i0 - item)
+  (:init
+    (adjacent home c1-0) (adjacent home c0-1) (adjacent c0-1 c1-1) (adjacent c0-1 c0-2) (adjacent c0-1 home)
+    (adjacent c0-2 c1-2) (adjacent c0-2 c0-3) (adjacent c0-2 c0-1) (adjacent c0-3 c1-3) (adjacent c0-3 c0-2)
+    (adjacent c1-0 c2-0) (adjacent c1-0 home) (adjacent c1-0 c1-1) (adjacent c1-1 c2-1) (adjacent c1-1 c0-1)
+    (adjacent c1-1 c1-2) (adjacent c1-1 c1-0) (adjacent c1-2 c2-2) (adjacent c1-2 c0-2) (adjacent c1-2 c1-3)
+    (adjacent c1-2 c1-1) (adjacent c1-3 c2-3) (adjacent c1-3 c0-3) (adjacent c1-3 c1-2) (adjacent c2-0 c3-0)
+    (adjacent c2-0 c1-0) (adjacent c2-0 c2-1) (adjacent c2-1 c3-1) (adjacent c2-1 c1-1) (adjacent c2-1 c2-2)
+    (adjacent c2-1 c2-0) (adjacent c2-2 c3-2) (adjacent c2-2 c1-2) (adjacent c2-2 c2-3) (adjacent c2-2 c2-1)
+    (adjacent c2-3 c3-3) (adjacent c2-3 c1-3) (adjacent c2-3 c2-2) (adjacent c3-0 c2-0) (adjacent c3-0 c3-1)
+    (adjacent c3-1 c2-1) (adjacent c3-1 c3-2) (adjacent c3-1 c3-0) (adjacent c3-2 c2-2) (adjacent c3-2 c3-3)
+    (adjacent c3-2 c3-1) (adjacent c3-3 c2-3) (adjacent c3-3 c3-2) (robot-at home) (item-at i0 c2-1)
+    (blocked c2-1))
+  (:goal (and
+    (item-at i0 c2-2) (parked))))

@@ -1,0 +1,18 @@
+(define (problem transport-small) (:domain transport)
+  (:objects city-loc-0 city-loc-1 city-loc-2 city-loc-3 city-loc-4 - location truck-0 truck-1 - vehicle package-0 package-1 package-2 - package capacity-0 capacity-1 capacity-2 capacity-3 capacity-4 - capacity-number)
+  (:init
+    (= (total-cost) 0) (road city-loc-1 city-loc-0) (road city-loc-0 city-loc-1)
+    (= (road-length city-loc-1 city-loc-0) 57) (= (road-length city-loc-0 city-loc-1) 57)
+    (road city-loc-2 city-loc-0) (road city-loc-0 city-loc-2) (= (road-length city-loc-2 city-loc-0) 2)
+    (= (road-length city-loc-0 city-loc-2) 2) (road city-loc-3 city-loc-0) (road city-loc-0 city-loc-3)
+    (= (road-length city-loc-3 city-loc-0) 23) (= (road-length city-loc-0 city-loc-3) 23)
+    (road city-loc-3 city-loc-1) (road city-loc-1 city-loc-3) (= (road-length city-loc-3 city-loc-1) 12)
+    (= (road-length city-loc-1 city-loc-3) 12) (road city-loc-4 city-loc-1) (road city-loc-1 city-loc-4)
+    (= (road-length city-loc-4 city-loc-1) 27) (= (road-length city-loc-1 city-loc-4) 27)
+    (capacity-predecessor capacity-0 capacity-1) (capacity-predecessor capacity-1 capacity-2)
+    (capacity-predecessor capacity-2 capacity-3) (capacity-predecessor capacity-3 capacity-4)
+    (at truck-0 city-loc-1) (capacity truck-0 capacity-2) (at truck-1 city-loc-0) (capacity truck-1 capacity-2)
+    (at package-0 city-loc-4) (at package-1 city-loc-0) (at package-2 city-loc-4))
+  (:goal (and
+    (at package-0 city-loc-4) (at package-1 city-loc-0) (at package-2 city-loc-3)))
+  (:metric minimize (total-cost)))
