@@ -1,12 +1,7 @@
-// The executor as a ROS 2 node.
+// The executor as a managed ROS 2 node. What it hears and says: executor_session.h.
 //
-// In:  joint_trajectory (trajectory_msgs/JointTrajectory), executor_command (std_msgs/String: stop, reset,
-//      emergency_stop), joint_states (sensor_msgs/JointState; on the wall clock only).
-// Out: executor_status (goalnet_msgs/ExecutorStatus, latched; 50 Hz while moving, and on change),
-// joint_commands
-//      (sensor_msgs/JointState, depth 1).
-// A trajectory that is refused is answered with one status that carries its stamp and an outcome other than
-// 0; what runs goes on.
+// Deactivating stops the robot smoothly; activating starts from where the joints are measured to be, whatever happened
+// meanwhile, and out of any fault.
 #pragma once
 
 #include <cstdint>
@@ -14,60 +9,39 @@
 #include <memory>
 #include <optional>
 
-#include "components/core/outcome.h"
-#include "components/ros/node.h"
+#include "components/ros/managed_component.h"
 #include "executor/executor_parameters.h"
-#include "executor/joint_messages.h"
+#include "executor/executor_session.h"
 #include "executor/trajectory_executor.h"
-#include "executor/wall_clock_loop.h"
-#include "goalnet_msgs/msg/ExecutorStatus.h"
-#include "sensor_msgs/msg/JointState.h"
-#include "std_msgs/msg/String.h"
-#include "trajectory_msgs/msg/JointTrajectory.h"
 
 namespace goalnet::executor {
 
 // Belongs to the thread of the node's event loop; that thread is also the executor's "other thread".
-class ExecutorNode : public ros::Component {
+class ExecutorNode : public ros::ManagedComponent {
  public:
-  // Declares its parameters (executor_parameters.h). Fails with kInvalidRequest where one is wrong or the
-  // robot cannot be loaded.
-  static Expected<std::unique_ptr<ExecutorNode>> create(ros::Node& node);
-  ~ExecutorNode() override;
+  using Params = DeclaredParams;
+  static void describe(ros::ParameterSet& set, Params& params);  // executor_parameters.cc
 
-  // What the simulator calls for every millisecond of simulated time; with the parameter lockstep only.
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is wrong
+  // or the robot cannot be loaded.
+  static Expected<std::unique_ptr<ExecutorNode>> create(ros::Node& node);
+
+  // What the simulator calls for every millisecond of simulated time; with the parameter lockstep only. Valid as long
+  // as the node: while it is not active, the robot comes to rest and holds.
   using Hook = std::function<void(std::int64_t time_ns, const JointSample& measured, JointSample& command)>;
   Hook lockstep_hook();
 
-  // Ask for a smooth stop, as the command "stop" does.
-  void stop() { executor_->stop(); }
-  ExecutorStatus status() { return executor_->status(); }
-
  private:
-  ExecutorNode(ros::Node& node, NodeParams params, std::unique_ptr<TrajectoryExecutor> executor);
-  void open_topics();
-  void on_trajectory(const trajectory_msgs::msg::JointTrajectory& message);
-  void on_command(const std_msgs::msg::String& message);
-  void on_joint_states(const sensor_msgs::msg::JointState& message);
-  void report();
-  void refuse(std::int64_t stamp_ns, Outcome outcome, const std::string& message);
-  void publish(ExecutorStatus status);
+  explicit ExecutorNode(ros::Node& node);
+  Expected<void> on_configure() override;
+  Expected<void> on_activate() override;
+  Expected<void> on_deactivate() override;
+  Expected<void> on_cleanup() override;
 
-  ros::Node& node_;
-  const NodeParams params_;
-  std::unique_ptr<TrajectoryExecutor> executor_;
-  JointStateReader reader_;
-  std::shared_ptr<ros::Publisher<goalnet_msgs::msg::ExecutorStatus>> status_publisher_;
-  std::shared_ptr<ros::Publisher<sensor_msgs::msg::JointState>> command_publisher_;
-  std::shared_ptr<ros::Subscription<trajectory_msgs::msg::JointTrajectory>> trajectory_;
-  std::shared_ptr<ros::Subscription<std_msgs::msg::String>> command_;
-  std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joint_states_;
-  ros::Clock wall_clock_;
-  std::shared_ptr<ros::Timer> timer_;
-  std::optional<ExecutorStatus> reported_;
-  bool refused_lately_ = false;
-  std::uint64_t bad_joint_states_ = 0;
-  std::unique_ptr<WallClockLoop> loop_;  // last: its threads end first
+  Params declared_;
+  std::optional<NodeParams> params_;              // from configure on
+  std::unique_ptr<TrajectoryExecutor> executor_;  // from the first activation on: in lockstep it still brakes and holds
+  std::unique_ptr<ExecutorSession> session_;      // while active
 };
 
 }  // namespace goalnet::executor

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "components/core/outcome.h"
-#include "components/ros/node.h"
 #include "executor/cyclic_thread.h"
 #include "executor/executor_params.h"
 #include "executor/joint_limits.h"
@@ -18,7 +17,21 @@ struct NodeParams {
   double command_period = 0.002;  // [s] between /joint_commands on the wall clock
 };
 
-// Declares and reads all parameters; loads the robot that they name.
-Expected<NodeParams> declare_parameters(ros::Node& node);
+// As they are declared; the table is ExecutorNode::describe.
+struct DeclaredParams {
+  std::string robot = "default";
+  bool lockstep = false;
+  double rate = 1000.0;  // [Hz]
+  double measurement_timeout = 0.1;
+  double settle_time = 1.0;
+  Tolerances tolerances;
+  int priority = 80;
+  int cpu = -1;
+  bool lock_memory = true;
+  double command_period = 0.002;
+};
+
+// Loads the robot that they name. Errors: kInvalidRequest.
+Expected<NodeParams> resolve(const DeclaredParams& declared);
 
 }  // namespace goalnet::executor

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <utility>
 
 #include "rosgraph_msgs/msg/Clock.h"
 #include "sim/world_messages.h"
@@ -14,73 +16,36 @@ namespace {
 // A command older than this is no longer extrapolated with its velocity [s].
 constexpr double kCommandHorizon = 0.02;
 
-struct Parameters {
-  std::string scene, robot;
-  WorldOptions world;
-  bool lockstep = false;
-  double real_time_factor = 1.0;
-  int poses_every = 2, transforms_every = 5;  // ticks
-};
+int every_so_many_ticks(double rate_hz) { return static_cast<int>(std::lround(100.0 / rate_hz)); }
 
-Expected<Parameters> read_parameters(ros::Node& node) {
-  Parameters p;
-  const auto ranged = [](const char* text, double from, double to) {
-    return ros::ParameterDescriptor{
-        .description = text, .read_only = true, .range = ros::ParameterRange{from, to, 0}};
-  };
-  const ros::ParameterDescriptor scene_text{.description = "name in config/scenes or path of a scene file",
-                                            .read_only = true};
-  const ros::ParameterDescriptor robot_text{.description = "name in config/robots or path; empty: default",
-                                            .read_only = true};
-  const ros::ParameterDescriptor lockstep_text{
-      .description = "the caller ticks and controls; no wall clock, no joint_commands", .read_only = true};
-  auto scene = node.declare_parameter<std::string>("scene", "kitchen", scene_text);
-  auto robot = node.declare_parameter<std::string>("robot", "", robot_text);
-  auto seed = node.declare_parameter<std::int64_t>(
-      "seed", 0, ranged("varies where objects stand; 0: as the scene says", 0, 1e15));
-  auto lockstep = node.declare_parameter<bool>("lockstep", false, lockstep_text);
-  auto factor = node.declare_parameter<double>(
-      "real_time_factor", 1.0, ranged("simulated seconds per real second, if not in lockstep", 0.01, 100));
-  auto step = node.declare_parameter<double>(
-      "physics_step", 0.002, ranged("[s] one step of the physics; divides 10 ms", 0.0005, 0.01));
-  auto poses = node.declare_parameter<double>("pose_rate", 50.0, ranged("[Hz] of object_poses", 1, 100));
-  auto transforms = node.declare_parameter<double>("tf_rate", 20.0, ranged("[Hz] of /tf", 1, 100));
-  if (!scene) return tl::unexpected(scene.error());
-  if (!robot) return tl::unexpected(robot.error());
-  if (!seed) return tl::unexpected(seed.error());
-  if (!lockstep) return tl::unexpected(lockstep.error());
-  if (!factor) return tl::unexpected(factor.error());
-  if (!step) return tl::unexpected(step.error());
-  if (!poses) return tl::unexpected(poses.error());
-  if (!transforms) return tl::unexpected(transforms.error());
-  p.scene = *scene;
-  p.robot = robot->empty() ? "default" : *robot;
-  p.world.seed = static_cast<std::uint64_t>(*seed);
-  // The step must divide the tick, or simulated time and published time would drift apart.
-  const double steps = std::round(0.01 / *step);
-  if (std::abs(steps * *step - 0.01) > 1e-9) {
-    return fail(Outcome::kInvalidRequest,
-                "parameter physics_step must divide 0.01 s, for example 0.001, 0.002 or 0.005");
-  }
-  p.world.physics_step = *step;
-  p.lockstep = *lockstep;
-  p.real_time_factor = *factor;
-  p.poses_every = static_cast<int>(std::lround(100.0 / *poses));
-  p.transforms_every = static_cast<int>(std::lround(100.0 / *transforms));
-  return p;
+// The step must divide the tick, or simulated time and published time would drift apart.
+Expected<void> check_step(const ros::ParameterValue& value) {
+  const double step = std::get<double>(value), steps = std::round(0.01 / step);
+  if (std::abs(steps * step - 0.01) <= 1e-9) return {};
+  return fail(Outcome::kInvalidRequest, "it must divide 0.01 s, for example 0.001, 0.002 or 0.005");
 }
 
 }  // namespace
 
 struct SimulatorNode::Internals {
-  Internals(ros::Node& the_node, Parameters the_parameters, std::unique_ptr<World> the_world)
-      : node(the_node), parameters(std::move(the_parameters)), world(std::move(the_world)) {
+  Internals(ros::Node& the_node, const Params& the_params, const Controller& the_controller,
+            std::unique_ptr<World> the_world)
+      : node(the_node),
+        params(the_params),
+        controller(the_controller),
+        step_ns(std::llround(the_params.physics_step * 1e9)),
+        poses_every(every_so_many_ticks(the_params.pose_rate)),
+        transforms_every(every_so_many_ticks(the_params.tf_rate)),
+        world(std::move(the_world)) {
     joints = std::min(world->robot_joint_count(), executor::kMaxJoints);
     for (std::size_t i = 0; i < joints; ++i) {
       command.position[i] = world->robot_joint(i).position;
       index[world->robot().joints[i].name] = i;
     }
-    clock = node.advertise<rosgraph_msgs::msg::Clock>("/clock", ros::Qos::clock());
+  }
+
+  void open_topics() {
+    clock = node.advertise<rosgraph_msgs::msg::Clock>("clock", ros::Qos::clock());
     joint_states = node.advertise<sensor_msgs::msg::JointState>("joint_states");
     object_poses = node.advertise<goalnet_msgs::msg::ObjectPoses>("object_poses");
     object_states = node.advertise<goalnet_msgs::msg::ObjectStates>("object_states", ros::Qos::latched());
@@ -93,6 +58,26 @@ struct SimulatorNode::Internals {
     tf2_msgs::msg::TFMessage fixed;
     fill_transforms(*world, stamp(), false, fixed);
     static_transforms->publish(fixed);
+    first_tick = true;
+    if (params.lockstep) return;
+    commands = node.subscribe<sensor_msgs::msg::JointState>(
+        "joint_commands", ros::Qos::standard().keep_last(1),
+        [this](const sensor_msgs::msg::JointState& m) { take_command(m); });
+    const auto period =
+        std::chrono::nanoseconds(std::llround(static_cast<double>(kTickNs) / params.real_time_factor));
+    timer = node.create_timer(period, [this] { tick(); });
+  }
+
+  void close_topics() {
+    timer.reset();
+    commands.reset();
+    clock.reset();
+    joint_states.reset();
+    object_poses.reset();
+    object_states.reset();
+    transforms.reset();
+    static_transforms.reset();
+    description.reset();
   }
 
   builtin_interfaces::msg::Time stamp() const { return ros::Time(time_ns).to_msg(); }
@@ -114,7 +99,7 @@ struct SimulatorNode::Internals {
 
   // One physics step. The controller runs each millisecond before it; its last command, one cycle ahead, is
   // the target.
-  void step(std::int64_t start_ns, std::int64_t step_ns) {
+  void step(std::int64_t start_ns) {
     const double step_s = static_cast<double>(step_ns) * 1e-9;
     if (controller) {
       executor::JointSample measured;
@@ -129,7 +114,7 @@ struct SimulatorNode::Internals {
       }
       if (ahead < 0.0) ahead = static_cast<double>(start_ns + step_ns - commanded_ns) * 1e-9;
       apply(ahead);
-    } else if (!parameters.lockstep) {
+    } else if (!params.lockstep) {
       const double age = static_cast<double>(start_ns - commanded_ns) * 1e-9 + step_s;
       apply(age <= kCommandHorizon ? age : -1.0);
     }
@@ -165,32 +150,34 @@ struct SimulatorNode::Internals {
   }
 
   void tick() {
-    const std::int64_t step_ns = std::llround(parameters.world.physics_step * 1e9);
-    for (std::int64_t done = 0; done < kTickNs; done += step_ns) step(time_ns + done, step_ns);
+    for (std::int64_t done = 0; done < kTickNs; done += step_ns) step(time_ns + done);
     time_ns += kTickNs;
     ++ticks;
+    const bool first = std::exchange(first_tick, false);
     rosgraph_msgs::msg::Clock now;
     now.clock(stamp());
     clock->publish(now);
     fill_joint_states(*world, stamp(), joint_message);
     joint_states->publish(joint_message);
-    if (ticks % parameters.poses_every == 0 || ticks == 1) {
+    if (ticks % poses_every == 0 || first) {
       fill_object_poses(*world, stamp(), pose_message);
       object_poses->publish(pose_message);
     }
-    if (ticks % parameters.transforms_every == 0 || ticks == 1) {
+    if (ticks % transforms_every == 0 || first) {
       fill_transforms(*world, stamp(), true, transform_message);
       transforms->publish(transform_message);
     }
     // First with the first tick: what is published before a reader exists reaches it some time later, from a
     // DDS thread, and in lockstep nothing may depend on when.
-    if (ticks == 1 || !(world->facts() == published_facts)) publish_states();
+    if (first || !(world->facts() == published_facts)) publish_states();
   }
 
   ros::Node& node;
-  Parameters parameters;
+  const Params& params;
+  const Controller& controller;
+  const std::int64_t step_ns;
+  const int poses_every, transforms_every;  // ticks
   std::unique_ptr<World> world;
-  Controller controller;
   std::size_t joints = 0;
   std::map<std::string, std::size_t> index;
   executor::JointSample command;
@@ -198,6 +185,7 @@ struct SimulatorNode::Internals {
   bool complained = false;
   std::int64_t time_ns = 0;
   long ticks = 0;
+  bool first_tick = true;  // since activation
   FactSet published_facts;
   sensor_msgs::msg::JointState joint_message;
   goalnet_msgs::msg::ObjectPoses pose_message;
@@ -212,34 +200,67 @@ struct SimulatorNode::Internals {
   std::shared_ptr<ros::Timer> timer;
 };
 
-SimulatorNode::SimulatorNode(std::unique_ptr<Internals> internals) : internals_(std::move(internals)) {}
-SimulatorNode::~SimulatorNode() = default;
-
-Expected<std::unique_ptr<SimulatorNode>> SimulatorNode::create(ros::Node& node) {
-  auto parameters = read_parameters(node);
-  if (!parameters) return tl::unexpected(parameters.error());
-  auto scene = scene::load_scene(parameters->scene);
-  if (!scene) return tl::unexpected(scene.error());
-  auto robot = robot::load_robot(parameters->robot);
-  if (!robot) return tl::unexpected(robot.error());
-  auto world = World::create(*scene, *robot, parameters->world);
-  if (!world) return tl::unexpected(world.error());
-  auto internals = std::make_unique<Internals>(node, *parameters, std::move(*world));
-  Internals* self = internals.get();
-  if (!self->parameters.lockstep) {
-    self->commands = node.subscribe<sensor_msgs::msg::JointState>(
-        "joint_commands", ros::Qos::standard().keep_last(1),
-        [self](const sensor_msgs::msg::JointState& m) { self->take_command(m); });
-    const auto period = std::chrono::nanoseconds(
-        std::llround(static_cast<double>(kTickNs) / self->parameters.real_time_factor));
-    self->timer = node.create_timer(period, [self] { self->tick(); });
-  }
-  return std::unique_ptr<SimulatorNode>(new SimulatorNode(std::move(internals)));
+void SimulatorNode::describe(ros::ParameterSet& set, Params& params) {
+  set.text("scene", params.scene, "room that is simulated", "a name in config/scenes or a file");
+  set.text("robot", params.robot, "robot that is simulated", "a name in config/robots or a file");
+  set.whole("seed", params.seed, "varies where objects stand; 0: as the scene says", 0, 1e15);
+  set.flag("lockstep", params.lockstep, "the caller ticks and controls; no wall clock, no joint_commands").settable =
+      ros::Settable::kAtStart;
+  set.number("real_time_factor", params.real_time_factor, "simulated seconds per real second, if not in lockstep", 0.01,
+             100);
+  set.number("physics_step", params.physics_step, "one step of the physics; must divide 0.01 s [s]", 0.0005, 0.01).check =
+      check_step;
+  set.number("pose_rate", params.pose_rate, "how often object_poses are published [Hz]", 1, 100);
+  set.number("tf_rate", params.tf_rate, "how often /tf is published [Hz]", 1, 100);
 }
 
-void SimulatorNode::set_controller(Controller controller) { internals_->controller = std::move(controller); }
-void SimulatorNode::tick() { internals_->tick(); }
-std::int64_t SimulatorNode::time_ns() const { return internals_->time_ns; }
-World& SimulatorNode::world() { return *internals_->world; }
+Expected<std::unique_ptr<SimulatorNode>> SimulatorNode::create(ros::Node& node) {
+  return ros::started(std::unique_ptr<SimulatorNode>(new SimulatorNode(node)));
+}
+
+SimulatorNode::SimulatorNode(ros::Node& node) : ManagedComponent(node) { describe(parameters_, params_); }
+SimulatorNode::~SimulatorNode() = default;
+
+Expected<void> SimulatorNode::on_configure() {
+  auto scene = scene::load_scene(params_.scene);
+  if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+  auto robot = robot::load_robot(params_.robot.empty() ? "default" : params_.robot);
+  if (!robot) return tl::unexpected<Error>(std::move(robot.error()));
+  WorldOptions options;
+  options.seed = params_.seed;
+  options.physics_step = params_.physics_step;
+  auto world = World::create(*scene, *robot, options);
+  if (!world) return tl::unexpected<Error>(std::move(world.error()));
+  internals_ = std::make_unique<Internals>(node_, params_, controller_, std::move(*world));
+  return {};
+}
+
+Expected<void> SimulatorNode::on_activate() {
+  internals_->open_topics();
+  return {};
+}
+
+Expected<void> SimulatorNode::on_deactivate() {
+  if (internals_) internals_->close_topics();
+  return {};
+}
+
+Expected<void> SimulatorNode::on_cleanup() {
+  internals_.reset();
+  return {};
+}
+
+void SimulatorNode::set_controller(Controller controller) { controller_ = std::move(controller); }
+
+void SimulatorNode::tick() {
+  if (active()) internals_->tick();
+}
+
+std::int64_t SimulatorNode::time_ns() const { return internals_ ? internals_->time_ns : 0; }
+
+World& SimulatorNode::world() {
+  if (!internals_) throw std::logic_error("the simulator has no world before it is configured");
+  return *internals_->world;
+}
 
 }  // namespace goalnet::sim

@@ -47,8 +47,9 @@ const char* to_string(Stage stage) {
   return "finished";
 }
 
-Coordinator::Coordinator(const CoordinatorParams& params, const ActionModel& model, Port& port)
-    : params_(params), model_(model), port_(port) {}
+Coordinator::Coordinator(const CoordinatorParams& params, const ActionModel& model, Port& port,
+                         std::uint64_t first_id)
+    : params_(params), model_(model), port_(port), last_id_(first_id - 1) {}
 
 Expected<std::uint64_t> Coordinator::instruct(const std::string& instruction, std::uint32_t max_steps,
                                               TimeNs now) {
@@ -124,6 +125,19 @@ bool Coordinator::cancel_one(std::uint64_t id, TimeNs now, const std::string& re
   queue_.erase(waiting);
   drop(id, request, reason);
   return true;
+}
+
+void Coordinator::world_lost(TimeNs now, const std::string& reason) {
+  if (!task_) return;
+  if (report_.stage != Stage::kStopping) stop(Outcome::kWorldStale, reason, now);
+  if (task_) finish(task_->stop_outcome, task_->stop_message, now);  // time stands still: nothing would confirm it
+}
+
+void Coordinator::abandon(TimeNs now, const std::string& reason) {
+  for (const auto& [id, request] : std::exchange(queue_, {})) drop(id, request, reason);
+  if (!task_) return;
+  if (report_.stage != Stage::kStopping) stop(Outcome::kCancelled, reason, now);
+  if (task_) finish(task_->stop_outcome, task_->stop_message, now);
 }
 
 void Coordinator::drop(std::uint64_t id, const Request& request, const std::string& reason) {

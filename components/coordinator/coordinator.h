@@ -64,8 +64,8 @@ struct ActionReport {
 
 class Coordinator {
  public:
-  // `model` and `port` must outlive the coordinator.
-  Coordinator(const CoordinatorParams& params, const ActionModel& model, Port& port);
+  // `model` and `port` must outlive the coordinator. Ids count from `first_id`.
+  Coordinator(const CoordinatorParams& params, const ActionModel& model, Port& port, std::uint64_t first_id = 1);
 
   // Starts (or queues) an instruction; max_steps 0 means the parameter's. Returns its id. Refusals
   // (kInvalidRequest, kBusy) are returned and also reported under an id of their own.
@@ -80,6 +80,13 @@ class Coordinator {
   // The same for one instruction, running or waiting. False if it is neither.
   bool cancel_one(std::uint64_t id, TimeNs now, const std::string& reason = "cancelled on request");
 
+  // Stops the running instruction at once: manipulation is told, but its word that the robot stands is not waited for.
+  // For a coordinator that is about to go. Waiting ones are forgotten.
+  void abandon(TimeNs now, const std::string& reason);
+
+  // The world can no longer be known, for a reason that no timeout would show. Ends what runs as kWorldStale.
+  void world_lost(TimeNs now, const std::string& reason);
+
   // `stamp` is when the world was observed.
   void on_world(WorldState world, TimeNs stamp, TimeNs now);
   void on_goal(const GoalAnswer& answer, TimeNs now);
@@ -89,6 +96,8 @@ class Coordinator {
   // Notices what did not happen in time.
   void tick(TimeNs now);
 
+  // Of the newest instruction, refused ones included.
+  std::uint64_t last_id() const { return last_id_; }
   bool busy() const { return task_.has_value(); }
   const Report& report() const { return report_; }
   // Why the running instruction's plan was last thrown away; empty if it never was.
@@ -157,7 +166,7 @@ class Coordinator {
   const ActionModel& model_;
   Port& port_;
 
-  std::uint64_t last_id_ = 0;
+  std::uint64_t last_id_;
   std::optional<Task> task_;
   std::deque<std::pair<std::uint64_t, Request>> queue_;
   Report report_;

@@ -1,20 +1,18 @@
-// The coordinator's parameters as a ROS 2 node declares them.
+// The coordinator's parameters as they are declared; the table is CoordinatorNode::describe.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "components/coordinator/params.h"
-#include "components/core/outcome.h"
-#include "components/ros/node.h"
 
 namespace goalnet::coordinator {
 
-struct NodeParams {
+struct DeclaredParams {
   CoordinatorParams core;
-  std::string domain;  // PDDL file
+  std::string when_busy = "refuse";
+  std::string domain = "household";
+  std::uint64_t first_id = 0;
 };
-
-// Errors: kInvalidRequest, naming the parameter.
-Expected<NodeParams> declare_parameters(ros::Node& node);
 
 }  // namespace goalnet::coordinator

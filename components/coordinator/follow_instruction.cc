@@ -1,6 +1,7 @@
 #include "components/coordinator/follow_instruction.h"
 
 #include <utility>
+#include <vector>
 
 #include "components/messages/conversions.h"
 
@@ -32,9 +33,11 @@ FollowAction::Feedback feedback_of(const Report& report) {
 
 }  // namespace
 
-FollowInstruction::FollowInstruction(ros::Node& node, Coordinator& coordinator)
+FollowInstruction::FollowInstruction(ros::Node& node, Coordinator& coordinator,
+                                     std::function<void(std::uint64_t id)> interrupt)
     : node_(node),
       coordinator_(coordinator),
+      interrupt_(std::move(interrupt)),
       server_(node, "follow_instruction",
               {.on_goal = [this](const ros::GoalId& id,
                                  const FollowAction::Goal& goal) { return on_goal(id, goal); },
@@ -43,11 +46,14 @@ FollowInstruction::FollowInstruction(ros::Node& node, Coordinator& coordinator)
                      const auto found = instructions_.find(handle->id());
                      if (found != instructions_.end()) handles_[found->second] = std::move(handle);
                    },
-               .on_cancel = [this](Handle& handle) { return on_cancel(handle); }}) {}
+               .on_cancel = [this](Handle& handle) { return on_cancel(handle); },
+               .on_cancel_arrived = [this](const ros::GoalId& id,
+                                           ros::Time stamp) { on_cancel_arrived(id, stamp); }}) {}
 
 ros::GoalResponse FollowInstruction::on_goal(const ros::GoalId& goal_id, const FollowAction::Goal& goal) {
   const auto id = coordinator_.instruct(goal.instruction(), goal.max_steps(), node_.now().nanoseconds);
   if (!id) return ros::GoalResponse::kReject;
+  const std::lock_guard lock(mutex_);
   instructions_[goal_id] = *id;
   return ros::GoalResponse::kExecute;
 }
@@ -62,13 +68,28 @@ bool FollowInstruction::on_cancel(const Handle& handle) {
   return true;
 }
 
+// Only what surely means a goal of ours; the rest of the rules is applied when the loop comes to the request.
+void FollowInstruction::on_cancel_arrived(const ros::GoalId& id, ros::Time stamp) {
+  std::vector<std::uint64_t> meant;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [goal, instruction] : instructions_) {
+      if (goal == id || (id == ros::GoalId{} && stamp == ros::Time{})) meant.push_back(instruction);
+    }
+  }
+  for (const std::uint64_t instruction : meant) interrupt_(instruction);
+}
+
 void FollowInstruction::on_report(const Report& report) {
   const auto found = handles_.find(report.id);
   if (found == handles_.end()) return;
   if (!report.finished) return found->second->publish_feedback(feedback_of(report));
   const std::shared_ptr<Handle> handle = std::move(found->second);
   handles_.erase(found);
-  instructions_.erase(handle->id());
+  {
+    const std::lock_guard lock(mutex_);
+    instructions_.erase(handle->id());
+  }
   switch (report.outcome) {
     case Outcome::kDone:
       handle->succeed(result_of(report));

@@ -23,6 +23,7 @@ struct CoordinatorParams {
   double action_timeout = 180.0;          // one action takes too long
   double instruction_timeout = 1800.0;    // one instruction takes too long
   double cancel_timeout = 5.0;            // until manipulation confirms that the robot stands still
+  double standstill_timeout = 10.0;       // real seconds for which simulated time may stand still
   double effect_timeout = 6.0;            // until the world shows what an action did; filling a mug takes 2 s
   std::uint32_t max_replans = 10;         // per step
   std::uint32_t max_action_failures = 3;  // of the same action in one step

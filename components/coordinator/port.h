@@ -57,6 +57,8 @@ class Port {
                             const Goal& goal) = 0;
   virtual void execute(const ActionOrder& order) = 0;
   virtual void cancel(const ActionOrder& order) = 0;
+  // Nobody wants the answer to request_goal() or request_plan() any more: a search may end.
+  virtual void forget_request(std::uint64_t id) = 0;
   virtual void report(const Report& report) = 0;
 };
 

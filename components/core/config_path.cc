@@ -15,4 +15,10 @@ std::string config_folder() {
 
 std::string config_path(std::string_view relative) { return config_folder() + "/" + std::string(relative); }
 
+std::string config_file(std::string_view folder, std::string_view name_or_path, std::string_view ending) {
+  if (name_or_path.find('/') != std::string_view::npos || name_or_path.ends_with(ending))
+    return std::string(name_or_path);
+  return config_path(std::string(folder) + "/" + std::string(name_or_path) + std::string(ending));
+}
+
 }  // namespace goalnet

@@ -13,4 +13,7 @@ std::string config_folder();
 // config_path("domains/household.pddl") is that file in the folder above.
 std::string config_path(std::string_view relative);
 
+// config_file("domains", "household", ".pddl") is the same file; a name with a slash or that ending is a path already.
+std::string config_file(std::string_view folder, std::string_view name_or_path, std::string_view ending);
+
 }  // namespace goalnet

@@ -10,30 +10,49 @@ namespace goalnet::inference {
 using goalnet_msgs::msg::GoalPredicates;
 using goalnet_msgs::msg::StepRequest;
 
-Expected<std::unique_ptr<GoalnetNode>> GoalnetNode::create(ros::Node& node) {
-  const auto path = node.declare_parameter<std::string>("model", config_path("models/goalnet.safetensors"),
-                                                        {.description = "Model that infers goals",
-                                                         .read_only = true,
-                                                         .range = {},
-                                                         .additional_constraints = "a file"});
-  if (!path) return tl::unexpected<Error>(path.error());
-  auto model = load_model(*path);
-  if (!model) return tl::unexpected<Error>(std::move(model.error()));
-  auto goalnet = std::unique_ptr<GoalnetNode>(new GoalnetNode(node, std::move(*model)));
-  goalnet->open_topics();
-  return goalnet;
+void GoalnetNode::describe(ros::ParameterSet& set, Params& params) {
+  set.text("model", params.model, "model that infers goals", "a name in config/models or a file");
 }
 
-GoalnetNode::GoalnetNode(ros::Node& node, std::unique_ptr<GoalModel> model)
-    : node_(node), model_(std::move(model)) {}
+Expected<std::unique_ptr<GoalnetNode>> GoalnetNode::create(ros::Node& node) {
+  return ros::started(std::unique_ptr<GoalnetNode>(new GoalnetNode(node)));
+}
 
-void GoalnetNode::open_topics() {
+GoalnetNode::GoalnetNode(ros::Node& node) : ManagedComponent(node) { describe(parameters_, params_); }
+
+Expected<void> GoalnetNode::on_configure() {
+  auto model = load_model(config_file("models", params_.model, ".safetensors"));
+  if (!model) return tl::unexpected<Error>(std::move(model.error()));
+  model_ = std::move(*model);
+  return {};
+}
+
+Expected<void> GoalnetNode::on_activate() {
   goal_predicates_ = node_.advertise<GoalPredicates>("goal_predicates");
   request_ = node_.subscribe<StepRequest>("step_request", ros::Qos::standard(),
                                           [this](const StepRequest& message) { on_request(message); });
   world_state_ = node_.subscribe<goalnet_msgs::msg::WorldState>(
       "world_state", ros::Qos::latched(),
       [this](const goalnet_msgs::msg::WorldState& message) { on_world(message); });
+  return {};
+}
+
+Expected<void> GoalnetNode::on_deactivate() {
+  world_state_.reset();
+  request_.reset();
+  goal_predicates_.reset();
+  waiting_.reset();
+  last_answer_.reset();
+  world_.reset();
+  world_stamp_ = 0;
+  states_.clear();
+  goals_.clear();
+  return {};
+}
+
+Expected<void> GoalnetNode::on_cleanup() {
+  model_.reset();
+  return {};
 }
 
 void GoalnetNode::on_world(const goalnet_msgs::msg::WorldState& message) {

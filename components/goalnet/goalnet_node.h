@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "components/goalnet/goal_model.h"
-#include "components/ros/node.h"
+#include "components/ros/managed_component.h"
 #include "goalnet_msgs/msg/GoalPredicates.h"
 #include "goalnet_msgs/msg/StepRequest.h"
 #include "goalnet_msgs/msg/WorldState.h"
@@ -22,21 +22,32 @@
 namespace goalnet::inference {
 
 // Belongs to the thread of the node's event loop.
-class GoalnetNode : public ros::Component {
+class GoalnetNode : public ros::ManagedComponent {
  public:
-  // Parameter: model (file). Fails with kInvalidRequest where it cannot be loaded.
+  struct Params {
+    std::string model = "goalnet";
+  };
+  static void describe(ros::ParameterSet& set, Params& params);
+
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where the model cannot
+  // be loaded.
   static Expected<std::unique_ptr<GoalnetNode>> create(ros::Node& node);
 
  private:
-  GoalnetNode(ros::Node& node, std::unique_ptr<GoalModel> model);
-  void open_topics();
+  explicit GoalnetNode(ros::Node& node);
+  Expected<void> on_configure() override;
+  Expected<void> on_activate() override;
+  Expected<void> on_deactivate() override;
+  Expected<void> on_cleanup() override;
   void on_request(const goalnet_msgs::msg::StepRequest& message);
   void on_world(const goalnet_msgs::msg::WorldState& message);
   bool world_is_new_enough(const goalnet_msgs::msg::StepRequest& message) const;
   void answer(const goalnet_msgs::msg::StepRequest& message);
 
-  ros::Node& node_;
-  std::unique_ptr<GoalModel> model_;
+  Params params_;
+  std::unique_ptr<GoalModel> model_;  // from configure on
+
+  // While active.
   std::optional<WorldState> world_;
   std::int64_t world_stamp_ = 0;  // [ns]
   std::optional<goalnet_msgs::msg::StepRequest> waiting_;

@@ -1,79 +1,43 @@
-// Manipulation as a ROS 2 node: one symbolic action at a time becomes trajectories.
-//
-// In:  action_request (goalnet_msgs/ActionRequest), executor_status (goalnet_msgs/ExecutorStatus, latched),
-// joint_states,
-//      object_poses, world_state.
-// Out: action_status (goalnet_msgs/ActionStatus: RUNNING on every new stage and at 10 Hz, FINISHED once),
-//      joint_trajectory (trajectory_msgs/JointTrajectory; header.stamp names it), executor_command ("stop").
-// A request sent again while it runs changes nothing; after its end it is answered again. Another request
-// stops the action under way first. A request waits until the world has been perceived.
+// Manipulation as a managed ROS 2 node: symbolic actions become trajectories. What it hears and says: manipulation_session.h.
 #pragma once
 
-#include <atomic>
 #include <memory>
-#include <optional>
+#include <mutex>
 #include <string>
 
-#include "components/manipulation/action_runner.h"
-#include "components/manipulation/perception.h"
-#include "components/ros/node.h"
-#include "goalnet_msgs/msg/ActionRequest.h"
-#include "goalnet_msgs/msg/ActionStatus.h"
-#include "goalnet_msgs/msg/ExecutorStatus.h"
-#include "std_msgs/msg/String.h"
-#include "trajectory_msgs/msg/JointTrajectory.h"
+#include "components/manipulation/manipulation_session.h"
+#include "components/ros/managed_component.h"
 
 namespace goalnet::manipulation {
 
 // Belongs to the thread of the node's event loop, but for interrupt().
-class ManipulationNode : public ros::Component {
+class ManipulationNode : public ros::ManagedComponent {
  public:
-  // Parameters: scene, robot, speed, acceleration, margin, attempts. Fails with kInvalidRequest where one is
-  // wrong or a file cannot be loaded.
+  struct Params {
+    std::string scene = "kitchen";
+    std::string robot = "default";
+    ManipulationParams core;
+  };
+  static void describe(ros::ParameterSet& set, Params& params);
+
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is wrong
+  // or a file cannot be loaded.
   static Expected<std::unique_ptr<ManipulationNode>> create(ros::Node& node);
 
-  // From any thread: ends motion planning that runs, with kCancelled.
-  void interrupt() { interrupted_.store(true); }
+  // From any thread, while active: ends motion planning that runs, with kCancelled.
+  void interrupt() override;
 
  private:
-  ManipulationNode(ros::Node& node, std::unique_ptr<Workbench> bench);
-  void open_topics();
-  void on_request(const goalnet_msgs::msg::ActionRequest& message);
-  void on_cancel(const goalnet_msgs::msg::ActionRequest& message);
-  void on_executor_status(const goalnet_msgs::msg::ExecutorStatus& message);
-  template <class Message>
-  void perceive(const char* topic, const Message& message);
-  void update();
-  void start_waiting();
-  void end_in_fault();
-  void report();
-  void publish_status(const goalnet_msgs::msg::ActionRequest& request, bool finished, const Error& result);
+  explicit ManipulationNode(ros::Node& node);
+  Expected<void> on_configure() override;
+  Expected<void> on_activate() override;
+  Expected<void> on_deactivate() override;
+  Expected<void> on_cleanup() override;
 
-  ros::Node& node_;
-  std::unique_ptr<Workbench> bench_;
-  ActionRunner runner_;
-  Perception perception_;
-  executor::ExecutorStatus executor_;
-  Error fault_;  // why the executor is in its state FAULT
-  std::atomic<bool> interrupted_{false};
-
-  std::optional<goalnet_msgs::msg::ActionRequest> current_;  // runs
-  std::optional<goalnet_msgs::msg::ActionRequest> waiting_;  // for the world, or for the end of current_
-  std::optional<goalnet_msgs::msg::ActionStatus> last_;      // how the last one ended
-  std::string reported_stage_;
-  ros::Time reported_at_;
-  std::uint64_t bad_messages_ = 0;
-
-  std::shared_ptr<ros::Publisher<goalnet_msgs::msg::ActionStatus>> status_;
-  std::shared_ptr<ros::Publisher<trajectory_msgs::msg::JointTrajectory>> trajectory_;
-  std::shared_ptr<ros::Publisher<std_msgs::msg::String>> command_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ActionRequest>> request_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ActionRequest>> cancel_at_once_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ExecutorStatus>> executor_status_;
-  std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joint_states_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ObjectPoses>> object_poses_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state_;
-  std::shared_ptr<ros::Timer> timer_;
+  Params params_;
+  std::unique_ptr<Workbench> bench_;              // from configure on
+  std::mutex session_mutex_;                      // interrupt() may come while it is made or dropped
+  std::unique_ptr<ManipulationSession> session_;  // while active
 };
 
 }  // namespace goalnet::manipulation

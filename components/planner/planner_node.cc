@@ -1,5 +1,6 @@
 #include "components/planner/planner_node.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -12,54 +13,69 @@ namespace goalnet::planner {
 
 using goalnet_msgs::msg::GoalPredicates;
 
-Expected<std::unique_ptr<PlannerNode>> PlannerNode::create(ros::Node& node) {
-  const auto path = node.declare_parameter<std::string>("domain", config_path("domains/household.pddl"),
-                                                        {.description = "PDDL domain to plan with",
-                                                         .read_only = true,
-                                                         .range = {},
-                                                         .additional_constraints = "a file"});
-  if (!path) return tl::unexpected<Error>(path.error());
-  const auto node_limit = node.declare_parameter<std::int64_t>(
-      "node_limit", 100'000,
-      {.description =
-           "States the optimal search may expand before a quicker, not optimal one takes over; 0: no limit",
-       .read_only = true,
-       .range = ros::ParameterRange{0.0, 1e12, 0.0},
-       .additional_constraints = ""});
-  if (!node_limit) return tl::unexpected<Error>(node_limit.error());
-  const auto time_limit =
-      node.declare_parameter<double>("time_limit", 10.0,
-                                     {.description = "Wall-clock time for one plan [s]; 0: no limit",
-                                      .read_only = true,
-                                      .range = ros::ParameterRange{0.0, 1e6, 0.0},
-                                      .additional_constraints = ""});
-  if (!time_limit) return tl::unexpected<Error>(time_limit.error());
-  auto domain = load_domain(*path);
-  if (!domain) return tl::unexpected<Error>(std::move(domain.error()));
-  SolveOptions options;
-  options.node_limit = *node_limit;
-  options.time_limit = std::chrono::nanoseconds(static_cast<std::int64_t>(*time_limit * 1e9));
-  auto planner = std::unique_ptr<PlannerNode>(
-      new PlannerNode(node, std::make_unique<const Domain>(std::move(*domain)), options));
-  planner->open_topics();
-  return planner;
+void PlannerNode::describe(ros::ParameterSet& set, Params& params) {
+  set.text("domain", params.domain, "PDDL domain to plan with", "a name in config/domains or a file");
+  set.whole("node_limit", params.node_limit,
+            "states the optimal search may expand before a quicker, not optimal one takes over; 0: no limit", 0.0, 1e12)
+      .settable = ros::Settable::kAnyTime;
+  set.number("time_limit", params.time_limit, "wall-clock time for one plan [s]; 0: no limit", 0.0, 1e6).settable =
+      ros::Settable::kAnyTime;
 }
 
-PlannerNode::PlannerNode(ros::Node& node, std::unique_ptr<const Domain> domain, const SolveOptions& options)
-    : node_(node), domain_(std::move(domain)), planner_(*domain_), options_(options) {}
+Expected<std::unique_ptr<PlannerNode>> PlannerNode::create(ros::Node& node) {
+  return ros::started(std::unique_ptr<PlannerNode>(new PlannerNode(node)));
+}
 
-void PlannerNode::open_topics() {
+PlannerNode::PlannerNode(ros::Node& node) : ManagedComponent(node) { describe(parameters_, params_); }
+
+Expected<void> PlannerNode::on_configure() {
+  auto domain = load_domain(config_file("domains", params_.domain, ".pddl"));
+  if (!domain) return tl::unexpected<Error>(std::move(domain.error()));
+  domain_ = std::make_unique<const Domain>(std::move(*domain));
+  planner_.emplace(*domain_);
+  return {};
+}
+
+Expected<void> PlannerNode::on_activate() {
   plan_ = node_.advertise<goalnet_msgs::msg::Plan>("plan");
   goal_ = node_.subscribe<GoalPredicates>("goal_predicates", ros::Qos::standard(),
                                           [this](const GoalPredicates& message) { on_goal(message); });
   world_state_ = node_.subscribe<goalnet_msgs::msg::WorldState>(
       "world_state", ros::Qos::latched(),
       [this](const goalnet_msgs::msg::WorldState& message) { on_world(message); });
+  // A search keeps the event loop busy: a cancel must reach it from outside.
+  cancel_ = node_.subscribe<goalnet_msgs::msg::CancelInstruction>(
+      "cancel_instruction", ros::Qos::standard(),
+      [this](const goalnet_msgs::msg::CancelInstruction& message) { on_cancel(message); }, {.immediate = true});
+  return {};
+}
+
+Expected<void> PlannerNode::on_deactivate() {
+  cancel_.reset();
+  world_state_.reset();
+  goal_.reset();
+  plan_.reset();
+  waiting_.reset();
+  world_.reset();
+  return {};
+}
+
+Expected<void> PlannerNode::on_cleanup() {
+  planner_.reset();
+  domain_.reset();
+  return {};
 }
 
 void PlannerNode::interrupt() {
   const std::lock_guard lock(stop_mutex_);
   stop_.request_stop();
+}
+
+void PlannerNode::on_cancel(const goalnet_msgs::msg::CancelInstruction& message) {
+  const std::lock_guard lock(stop_mutex_);
+  const std::uint64_t id = message.instruction_id();
+  if (id != 0) cancelled_[next_cancelled_++ % cancelled_.size()] = id;  // its goal may still wait in the loop's queue
+  if (id == 0 || id == instruction_) stop_.request_stop();
 }
 
 void PlannerNode::on_world(const goalnet_msgs::msg::WorldState& message) {
@@ -81,6 +97,13 @@ void PlannerNode::answer(const GoalPredicates& message) {
   answer.instruction_id(message.instruction_id());
   answer.step(message.step());
   const auto goal = messages::goal_from_message(message);
+  {
+    const std::lock_guard lock(stop_mutex_);
+    stop_ = std::stop_source();
+    instruction_ = message.instruction_id();
+    const bool cancelled = std::find(cancelled_.begin(), cancelled_.end(), instruction_) != cancelled_.end();
+    if (instruction_ != 0 && cancelled) stop_.request_stop();
+  }
   const Expected<Plan> plan = goal ? plan_for(*goal) : Expected<Plan>(tl::unexpected<Error>(goal.error()));
   if (plan) {
     answer.actions(messages::to_message(plan->actions));
@@ -95,17 +118,18 @@ void PlannerNode::answer(const GoalPredicates& message) {
 
 // A goal of visits is several goals, each planned from where the one before ends.
 Expected<Plan> PlannerNode::plan_for(const Goal& goal) {
-  SolveOptions options = options_;
+  SolveOptions options;
+  options.node_limit = params_.node_limit;
+  options.time_limit = std::chrono::nanoseconds(static_cast<std::int64_t>(params_.time_limit * 1e9));
   {
     const std::lock_guard lock(stop_mutex_);
-    stop_ = std::stop_source();
     options.stop = stop_.get_token();
   }
   WorldState state = *world_;
   Plan whole;
   whole.optimal = true;
   for (const Goal& part : normalise_household_goal(goal)) {
-    auto plan = planner_.solve(state, part, options);
+    auto plan = planner_->solve(state, part, options);
     if (!plan) return plan;
     for (Action& action : plan->actions) {
       auto facts = apply(*domain_, state, action);

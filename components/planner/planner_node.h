@@ -1,6 +1,7 @@
 // The planner as a ROS 2 node.
 //
-// In:  goal_predicates (goalnet_msgs/GoalPredicates), world_state (goalnet_msgs/WorldState, latched).
+// In:  goal_predicates (goalnet_msgs/GoalPredicates), world_state (goalnet_msgs/WorldState, latched), cancel_instruction
+//      (goalnet_msgs/CancelInstruction: ends a search at once, also while the loop is busy with it).
 // Out: plan (goalnet_msgs/Plan): one for every goal that is not complete, from the newest world state; with
 // an outcome
 //      other than 0 and a message where there is no plan.
@@ -8,6 +9,8 @@
 // again.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,7 +18,8 @@
 #include <vector>
 
 #include "components/planner/planner.h"
-#include "components/ros/node.h"
+#include "components/ros/managed_component.h"
+#include "goalnet_msgs/msg/CancelInstruction.h"
 #include "goalnet_msgs/msg/GoalPredicates.h"
 #include "goalnet_msgs/msg/Plan.h"
 #include "goalnet_msgs/msg/WorldState.h"
@@ -23,34 +27,50 @@
 namespace goalnet::planner {
 
 // Belongs to the thread of the node's event loop, but for interrupt().
-class PlannerNode : public ros::Component {
+class PlannerNode : public ros::ManagedComponent {
  public:
-  // Parameters: domain (PDDL file), node_limit (states; deterministic), time_limit (seconds of wall clock; a
-  // far safety net). Fails with kInvalidRequest where one is wrong or the domain cannot be read.
+  struct Params {
+    std::string domain = "household";
+    std::int64_t node_limit = 100'000;  // states; deterministic
+    double time_limit = 10.0;           // [s] of wall clock; a far safety net
+  };
+  static void describe(ros::ParameterSet& set, Params& params);
+
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is
+  // wrong or the domain cannot be read.
   static Expected<std::unique_ptr<PlannerNode>> create(ros::Node& node);
 
   // From any thread: ends a search that runs, with kCancelled.
-  void interrupt();
+  void interrupt() override;
 
  private:
-  PlannerNode(ros::Node& node, std::unique_ptr<const Domain> domain, const SolveOptions& options);
-  void open_topics();
+  explicit PlannerNode(ros::Node& node);
+  Expected<void> on_configure() override;
+  Expected<void> on_activate() override;
+  Expected<void> on_deactivate() override;
+  Expected<void> on_cleanup() override;
+  void on_cancel(const goalnet_msgs::msg::CancelInstruction& message);
   void on_goal(const goalnet_msgs::msg::GoalPredicates& message);
   void on_world(const goalnet_msgs::msg::WorldState& message);
   void answer(const goalnet_msgs::msg::GoalPredicates& message);
   Expected<Plan> plan_for(const Goal& goal);
 
-  ros::Node& node_;
+  Params params_;
+  // From configure on.
   std::unique_ptr<const Domain> domain_;
-  Planner planner_;
-  SolveOptions options_;
-  std::mutex stop_mutex_;  // guards stop_
+  std::optional<Planner> planner_;
+  // While active.
+  std::mutex stop_mutex_;  // guards the next four: a cancel comes from a thread of DDS
   std::stop_source stop_;
+  std::uint64_t instruction_ = 0;  // that is planned for now
+  std::array<std::uint64_t, 8> cancelled_{};  // the last ones that nobody wants a plan for any more
+  std::size_t next_cancelled_ = 0;
   std::optional<WorldState> world_;
   std::optional<goalnet_msgs::msg::GoalPredicates> waiting_;
   std::shared_ptr<ros::Publisher<goalnet_msgs::msg::Plan>> plan_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::GoalPredicates>> goal_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state_;
+  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::CancelInstruction>> cancel_;
 };
 
 }  // namespace goalnet::planner

@@ -94,6 +94,8 @@ class ActionServer {
     std::function<void(std::shared_ptr<GoalHandle<Action>> goal)> on_accepted;
     // True: the goal is being cancelled (CANCELING); end it soon. False: it goes on.
     std::function<bool(GoalHandle<Action>& goal)> on_cancel;
+    // Optional: a cancel request has arrived, seen in a thread of DDS while the loop may be busy. on_cancel follows.
+    std::function<void(const GoalId& id, Time stamp)> on_cancel_arrived = {};
   };
 
   // What handles and server share; internal.
@@ -158,6 +160,11 @@ class ActionServer {
     cancel_ = std::make_unique<Server<Cancel>>(
         node, base + "cancel_goal",
         [this](const auto& request, auto& response) { cancel(request, response); });
+    if (callbacks_.on_cancel_arrived) {
+      cancel_->set_glance([arrived = callbacks_.on_cancel_arrived](const Cancel::Request& request) {
+        arrived(request.goal_info().goal_id().uuid(), Time(request.goal_info().stamp()));
+      });
+    }
     get_result_ =
         Server<GetResult>::deferred(node, base + "get_result", [this](auto request, auto responder) {
           give_result(request->goal_id().uuid(), std::move(responder));
@@ -166,8 +173,16 @@ class ActionServer {
     core_->status = node.advertise<action_msgs::msg::GoalStatusArray>(base + "status", Qos::latched());
     expiry_ = node.create_timer(std::chrono::seconds(1), [core = core_] { core->expire(); });
   }
-  ~ActionServer() { core_->open = false; }
+  ~ActionServer() {
+    cancel_->set_glance({});
+    core_->open = false;
+  }
   ActionServer(const ActionServer&) = delete;
+
+  // Waits until the results given so far have reached who asked for them: before the server goes.
+  bool wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
+    return get_result_->wait_for_acknowledgments(timeout);
+  }
 
  private:
   void take_goal(std::shared_ptr<const typename SendGoal::Request> request, Responder<SendGoal> responder) {

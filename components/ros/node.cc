@@ -34,7 +34,8 @@ rcl_interfaces::msg::Log to_msg(const LogRecord& record, Time now) {
 
 struct Node::Internals {
   std::shared_ptr<Publisher<rcl_interfaces::msg::Log>> rosout;
-  std::shared_ptr<Subscription<rosgraph_msgs::msg::Clock>> clock;
+  std::shared_ptr<Subscription<rosgraph_msgs::msg::Clock>> clock, own_clock;
+  bool own_clock_heard = false;
   std::unique_ptr<NodeServices> services;
 };
 
@@ -105,13 +106,19 @@ void Node::open_rosout() {
 
 void Node::follow_simulated_time(bool use) {
   clock_.use_simulated(use);
-  if (!use) {
-    internals_->clock.reset();
-  } else if (!internals_->clock) {
-    internals_->clock = subscribe<rosgraph_msgs::msg::Clock>(
-        "/clock", Qos::clock(),
-        [this](const rosgraph_msgs::msg::Clock& message) { clock_.set_simulated(Time(message.clock())); });
-  }
+  internals_->clock.reset();
+  internals_->own_clock.reset();
+  if (!use) return;
+  using Message = rosgraph_msgs::msg::Clock;
+  internals_->clock = subscribe<Message>("/clock", Qos::clock(), [this](const Message& message) {
+    if (!internals_->own_clock_heard) clock_.set_simulated(Time(message.clock()));
+  });
+  if (namespace_ == "/") return;
+  // Two robots on one network have a simulator each: the time of our own namespace, once heard, is the one that counts.
+  internals_->own_clock = subscribe<Message>("clock", Qos::clock(), [this](const Message& message) {
+    internals_->own_clock_heard = true;
+    clock_.set_simulated(Time(message.clock()));
+  });
 }
 
 std::string Node::resolve(const std::string& name) const {

@@ -50,6 +50,9 @@ class Parameters {
   // Values that declared parameters take instead of their defaults, with where each comes from.
   void set_override(const std::string& name, ParameterValue value, std::string origin);
 
+  // As if there had been none: for a value that declare() refused.
+  void forget_override(const std::string& name) { overrides_.erase(name); }
+
   // Declares and returns the value in force. kInvalidRequest if an override has another type or is out of
   // range, or if the name is declared already.
   Expected<ParameterValue> declare(const std::string& name, const ParameterValue& default_value,

@@ -65,6 +65,17 @@ class Server {
     return std::unique_ptr<Server>(new Server(node, service, std::move(callback), qos, 0));
   }
 
+  // Besides the callback: each request as it arrives, in a thread of DDS. For what cannot wait until the loop is free.
+  void set_glance(std::function<void(const Request&)> glance) {
+    if (!glance) return base_->set_glance({});
+    base_->set_glance(
+        [call = std::move(glance)](const void* request) { call(*static_cast<const Request*>(request)); });
+  }
+  // Waits until all clients have the answers given so far.
+  bool wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
+    return base_->wait_for_acknowledgments(timeout);
+  }
+
   const std::string& name() const { return name_; }
 
  private:

@@ -63,14 +63,17 @@ void ServiceServerBase::on_request(std::shared_ptr<void> request, const SampleIn
   }
   SampleId reply_to = info.id;
   if (info.related.writer != Gid{}) reply_to.writer = info.related.writer;
+  Glance glance;
   {
     std::lock_guard lock(mutex_);
     if (requests_.size() >= kMostRequests) return;  // the client times out, as with any overloaded server
-    requests_.push_back({std::move(request), reply_to});
+    requests_.push_back({request, reply_to});
+    glance = glance_;
   }
   loop_.post([weak = weak_from_this()] {
     if (auto self = weak.lock()) self->handle_one();
   });
+  if (glance) glance(request.get());
 }
 
 void ServiceServerBase::on_dropped(const std::string& why) {

@@ -39,6 +39,16 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
   // `response` is kept until then.
   void reply(const SampleId& reply_to, std::shared_ptr<const void> response);
 
+  // To see a request at once, in the thread that delivers it and after it was queued: for cancel flags only.
+  using Glance = std::function<void(const void* request)>;
+  void set_glance(Glance glance) {
+    std::lock_guard lock(mutex_);
+    glance_ = std::move(glance);
+  }
+  bool wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
+    return replies_->wait_for_acknowledgments(timeout);
+  }
+
   // As the reader calls it; public for tests.
   void on_request(std::shared_ptr<void> request, const SampleInfo& info);
 
@@ -58,8 +68,9 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
 
   EventLoop& loop_;
   Handler handler_;
+  Glance glance_;
   DropReport report_;
-  std::mutex mutex_;  // guards requests_ and dropped_
+  std::mutex mutex_;  // guards glance_, requests_ and dropped_
   std::deque<Entry> requests_;
   std::uint64_t dropped_ = 0;
   std::deque<Waiting> waiting_;

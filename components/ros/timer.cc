@@ -24,7 +24,12 @@ void Timer::reset() {
   active_ = true;
 }
 
-bool Timer::due() const { return active_ && clock_.timer_now() >= next_; }
+bool Timer::due() {
+  const std::int64_t now = clock_.timer_now();
+  // Simulated time that jumped back (a simulator started anew) must not silence us until it is where it was.
+  if (next_ - now > period_) next_ = now + period_;
+  return active_ && now >= next_;
+}
 
 void Timer::fire() {
   next_ += period_;

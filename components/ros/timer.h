@@ -26,7 +26,7 @@ class Timer {
  private:
   friend class EventLoop;
   Timer(Clock& clock, std::chrono::nanoseconds period, std::function<void()> callback);
-  bool due() const;
+  bool due();
   void fire();
 
   Clock& clock_;

@@ -1,77 +1,42 @@
-// Draws what the robot knows and intends, for RViz, as a ROS 2 node.
-//
-// In:  object_poses (goalnet_msgs/ObjectPoses), world_state (goalnet_msgs/WorldState, latched),
-// instruction_status
-//      (goalnet_msgs/InstructionStatus, latched), joint_trajectory (trajectory_msgs/JointTrajectory),
-//      joint_states (sensor_msgs/JointState).
-// Out: markers (visualization_msgs/MarkerArray, latched), when something changed, at most `rate` times a
-// second.
-//      header.stamp is the moment at which the objects were seen there; header.frame_id is map.
-// It only draws, and only listens to poses and joints, while somebody subscribes to markers: who joins gets a
-// picture within a period.
+// Visualization as a managed ROS 2 node. What it hears and says: visualization_session.h.
 #pragma once
 
 #include <memory>
 #include <optional>
-#include <vector>
+#include <string>
 
-#include "components/robot/kinematics.h"
-#include "components/robot/robot_model.h"
-#include "components/ros/node.h"
-#include "components/scene/scene.h"
-#include "components/visualization/marker_message.h"
-#include "components/visualization/path_drawing.h"
-#include "components/visualization/text_drawing.h"
-#include "goalnet_msgs/msg/InstructionStatus.h"
-#include "goalnet_msgs/msg/ObjectPoses.h"
-#include "goalnet_msgs/msg/WorldState.h"
-#include "sensor_msgs/msg/JointState.h"
-#include "trajectory_msgs/msg/JointTrajectory.h"
+#include "components/ros/managed_component.h"
+#include "components/visualization/visualization_session.h"
 
 namespace goalnet::visualization {
 
 // Belongs to the thread of the node's event loop.
-class VisualizationNode : public ros::Component {
+class VisualizationNode : public ros::ManagedComponent {
  public:
-  // Parameters: scene, robot, rate. Fails with kInvalidRequest where one is wrong or a file cannot be loaded.
+  struct Params {
+    std::string scene = "kitchen";
+    std::string robot = "default";
+    double rate = 10.0;  // [Hz]
+  };
+  static void describe(ros::ParameterSet& set, Params& params);
+
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is wrong
+  // or a file cannot be loaded.
   static Expected<std::unique_ptr<VisualizationNode>> create(ros::Node& node);
 
  private:
-  VisualizationNode(ros::Node& node, scene::Scene scene, robot::RobotModel robot);
-  void open_topics(double rate);
-  bool watched() const { return object_poses_ != nullptr; }
-  void start_watching();
-  void stop_watching();
-  void on_poses(const goalnet_msgs::msg::ObjectPoses& message);
-  void on_world(const goalnet_msgs::msg::WorldState& message);
-  void on_status(const goalnet_msgs::msg::InstructionStatus& message);
-  void on_trajectory(const trajectory_msgs::msg::JointTrajectory& message);
-  void on_joints(const sensor_msgs::msg::JointState& message);
-  void look();
-  void publish();
+  explicit VisualizationNode(ros::Node& node);
+  Expected<void> on_configure() override;
+  Expected<void> on_activate() override;
+  Expected<void> on_deactivate() override;
+  Expected<void> on_cleanup() override;
 
-  ros::Node& node_;
-  const scene::Scene scene_;
-  const robot::RobotModel robot_;
-  const robot::Kinematics kinematics_;
-
-  Poses poses_;
-  builtin_interfaces::msg::Time seen_;  // of poses_
-  FactSet facts_;
-  Task task_;
-  std::vector<double> joints_;  // in the order of RobotModel::joints [rad, m]
-  std::vector<Drawing> path_;
-  bool changed_ = false;
-  MarkerWriter writer_;
-
-  std::shared_ptr<ros::Publisher<visualization_msgs::msg::MarkerArray>> markers_;
-  std::shared_ptr<ros::Timer> timer_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::InstructionStatus>> status_;
-  std::shared_ptr<ros::Subscription<trajectory_msgs::msg::JointTrajectory>> trajectory_;
-  // Only while somebody watches.
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ObjectPoses>> object_poses_;
-  std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joint_states_;
+  Params params_;
+  // From configure on.
+  std::optional<scene::Scene> scene_;
+  std::optional<robot::RobotModel> robot_;
+  // While active.
+  std::unique_ptr<VisualizationSession> session_;
 };
 
 }  // namespace goalnet::visualization

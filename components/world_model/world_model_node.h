@@ -1,74 +1,42 @@
-// The world model as a ROS 2 node.
-//
-// In:  object_poses (goalnet_msgs/ObjectPoses), joint_states (sensor_msgs/JointState, robot and fixtures),
-//      object_states (goalnet_msgs/ObjectStates, latched).
-// Out: world_state (goalnet_msgs/WorldState, latched), on change and at 10 Hz. header.stamp is the moment
-// observed. When observations stop coming, nothing is published: an old world is never passed off as a new
-// one, and the log says what is missing.
+// The world model as a managed ROS 2 node. What it hears and says: world_model_session.h.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
-#include "components/core/outcome.h"
-#include "components/robot/robot_model.h"
-#include "components/ros/node.h"
-#include "components/scene/scene.h"
-#include "components/world_model/world_model.h"
-#include "goalnet_msgs/msg/ObjectPoses.h"
-#include "goalnet_msgs/msg/ObjectStates.h"
-#include "goalnet_msgs/msg/WorldState.h"
-#include "sensor_msgs/msg/JointState.h"
+#include "components/ros/managed_component.h"
+#include "components/world_model/world_model_session.h"
 
 namespace goalnet::world_model {
 
-struct NodeParams {
-  Params core;
-  double rate = 20.0;        // [Hz] how often facts are computed at most
-  double stale_after = 0.5;  // [s] age of an observation that counts as lost
-};
-
 // Belongs to the thread of the node's event loop.
-class WorldModelNode : public ros::Component {
+class WorldModelNode : public ros::ManagedComponent {
  public:
-  // Fails with kInvalidRequest where a parameter is wrong or the scene or robot cannot be loaded.
+  struct Params {
+    std::string scene = "kitchen";
+    std::string robot = "default";
+    SessionParams session;
+  };
+  static void describe(ros::ParameterSet& set, Params& params);  // world_model_parameters.cc
+
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is wrong
+  // or the scene or robot cannot be loaded.
   static Expected<std::unique_ptr<WorldModelNode>> create(ros::Node& node);
 
  private:
-  WorldModelNode(ros::Node& node, scene::Scene scene, robot::RobotModel robot, NodeParams params);
-  void open_topics();
-  void on_poses(const goalnet_msgs::msg::ObjectPoses& message);
-  void on_joints(const sensor_msgs::msg::JointState& message);
-  void on_states(const goalnet_msgs::msg::ObjectStates& message);
-  void update();
-  void publish_regularly();
-  void publish();
-  void watch_for_silence();
-  void start_over_if_time_jumped_back(std::int64_t time_ns);
-  void report_ignored(const char* topic, std::size_t count);
+  explicit WorldModelNode(ros::Node& node);
+  Expected<void> on_configure() override;
+  Expected<void> on_activate() override;
+  Expected<void> on_deactivate() override;
+  Expected<void> on_cleanup() override;
 
-  ros::Node& node_;
-  const scene::Scene scene_;
-  const robot::RobotModel robot_;
-  const NodeParams params_;
-  std::unique_ptr<WorldModel> model_;
-  std::vector<ObservedState> states_;  // the last, for a model that starts over
-  std::int64_t poses_ns_ = 0, joints_ns_ = 0;
-  std::optional<std::int64_t> computed_ns_;
-  std::optional<WorldState> published_;
-  std::int64_t published_ns_ = 0;  // stamp of what was published last
-  std::optional<std::int64_t> stale_reported_ns_;
-  std::uint64_t ignored_reports_ = 0;
-  std::uint64_t observations_ = 0, observations_before_ = 0;  // counted by watch_for_silence()
-  bool silence_reported_ = false;
-
-  std::shared_ptr<ros::Publisher<goalnet_msgs::msg::WorldState>> publisher_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ObjectPoses>> poses_;
-  std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joints_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ObjectStates>> object_states_;
-  ros::Clock wall_clock_;
-  std::shared_ptr<ros::Timer> timer_, silence_timer_;
+  Params params_;
+  // From configure on.
+  std::optional<scene::Scene> scene_;
+  std::optional<robot::RobotModel> robot_;
+  // While active.
+  std::unique_ptr<WorldModelSession> session_;
 };
 
 }  // namespace goalnet::world_model

@@ -1,18 +1,12 @@
-// The world model's parameters as a ROS 2 node declares them.
+// What must hold between the world model's parameters (their table is WorldModelNode::describe).
 #pragma once
 
-#include "components/ros/node.h"
-#include "components/world_model/world_model_node.h"
+#include "components/core/outcome.h"
+#include "components/world_model/params.h"
 
 namespace goalnet::world_model {
 
-struct DeclaredParams {
-  NodeParams node;
-  std::string scene;  // name or file
-  std::string robot;
-};
-
-// Fails with kInvalidRequest, naming the parameter that is wrong.
-Expected<DeclaredParams> declare_parameters(ros::Node& node);
+// kInvalidRequest, naming the parameter, where a threshold's end is tighter than its begin.
+Expected<void> check_thresholds(const Params& params);
 
 }  // namespace goalnet::world_model

@@ -1,8 +1,10 @@
-// Each component in a process of its own, in any start order: the same classes, the same topics, real time.
+// Each component in a process of its own, in any start order, in namespaces, lost and started again: the same classes,
+// the same topics, real time.
 #include <gmock/gmock.h>
 #include <signal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <random>
 
@@ -11,6 +13,7 @@
 #include "goalnet_msgs/msg/GoalPredicates.h"
 #include "goalnet_msgs/msg/InstructionStatus.h"
 #include "goalnet_msgs/msg/WorldState.h"
+#include "sensor_msgs/msg/JointState.h"
 #include "tests/support/process.h"
 
 namespace goalnet {
@@ -18,25 +21,82 @@ namespace {
 
 using goalnet_msgs::msg::GoalPredicates;
 using goalnet_msgs::msg::InstructionStatus;
+using testing::HasSubstr;
 using testing_support::Process;
 
 constexpr int kDomain = 86;
 constexpr std::chrono::seconds kLimit{90};
+const std::map<std::string, std::string> kEnvironment{{"ROS_DOMAIN_ID", std::to_string(kDomain)}};
+
+// A person beside one robot: asks, and sees what it does.
+struct Person {
+  Person(ros::Node& node, ros::EventLoop& the_loop, const std::string& space) : loop(the_loop) {
+    goal = node.advertise<GoalPredicates>(space + "/goal");
+    status = node.subscribe<InstructionStatus>(space + "/instruction_status", ros::Qos::latched().keep_last(1000),
+                                               [this](const InstructionStatus& message) { last = message; });
+    world = node.subscribe<goalnet_msgs::msg::WorldState>(
+        space + "/world_state", ros::Qos::latched(),
+        [this](const goalnet_msgs::msg::WorldState& message) { facts = messages::from_message(message)->facts; });
+    joints = node.subscribe<sensor_msgs::msg::JointState>(
+        space + "/joint_states", ros::Qos::standard(), [this](const sensor_msgs::msg::JointState& message) {
+          speed = 0.0;
+          for (const double velocity : message.velocity()) speed = std::max(speed, std::abs(velocity));
+        });
+  }
+  void wait_until_the_world_is_known() {
+    ASSERT_TRUE(goal->wait_for_subscribers(1, kLimit));
+    ASSERT_TRUE(loop.run_for(kLimit, [this] { return facts.has_value(); }));
+  }
+  void ask_for(const Predicate& wanted) {
+    ASSERT_NO_FATAL_FAILURE(wait_until_the_world_is_known());
+    GoalPredicates message;
+    messages::fill(message, Goal{{wanted}, {}, 1.0});
+    last = {};
+    goal->publish(message);
+  }
+  bool finished() const { return last.finished(); }
+  // The outcome, once it has come.
+  int outcome() {
+    EXPECT_TRUE(loop.run_for(kLimit, [this] { return finished(); })) << last.stage();
+    return finished() ? last.outcome() : -1;
+  }
+  bool moving() const { return speed > 0.1; }
+  bool comes_to_rest() {
+    return loop.run_for(std::chrono::seconds(20), [this] { return speed < 1e-3; });
+  }
+
+  ros::EventLoop& loop;
+  std::shared_ptr<ros::Publisher<GoalPredicates>> goal;
+  std::shared_ptr<ros::Subscription<InstructionStatus>> status;
+  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world;
+  std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joints;
+  InstructionStatus last;
+  std::optional<FactSet> facts;
+  double speed = 0.0;  // of the fastest joint [rad/s or m/s]
+};
+
+const Predicate kTapOn{"state", "SinkKnob", "TapIsOn"}, kTapOff{"state", "SinkKnob", "TapIsOff"};
 
 class Processes : public testing::Test {
  protected:
-  void start(const std::string& component) {
-    std::vector<std::string> words = {testing_support::program("goalnet"), "component", component,
-                                      "--ros-args"};
+  void start(const std::string& component, const std::string& space = "") {
+    std::vector<std::string> words = {testing_support::program("goalnet"), "component", component, "--ros-args"};
     if (component != "simulator") words.insert(words.end(), {"-p", "use_sim_time:=true"});
-    running_[component] = std::make_unique<Process>(
-        words, std::map<std::string, std::string>{{"ROS_DOMAIN_ID", std::to_string(kDomain)}});
+    // What is lost is to be noticed soon.
+    if (component == "coordinator") words.insert(words.end(), {"-p", "action_silence_timeout:=4.0", "-p", "cancel_timeout:=1.0"});
+    if (!space.empty()) words.insert(words.end(), {"-r", "__ns:=" + space});
+    running_[space + "/" + component] = std::make_unique<Process>(words, kEnvironment);
   }
-  void start_all(unsigned order) {
+  void start_all(unsigned order, const std::string& space = "") {
     std::vector<std::string> names = {"simulator", "executor",     "world_model", "goalnet",
                                       "planner",   "manipulation", "coordinator"};
     std::shuffle(names.begin(), names.end(), std::minstd_rand(order));
-    for (const std::string& name : names) start(name);
+    for (const std::string& name : names) start(name, space);
+  }
+  void lose(const std::string& component) {
+    running_.at("/" + component)->signal(SIGKILL);
+    static_cast<void>(running_.at("/" + component)->wait(kLimit));
+    running_.erase("/" + component);
   }
   void SetUp() override {
     ros::ContextOptions options;
@@ -45,13 +105,6 @@ class Processes : public testing::Test {
     ros::NodeOptions node_options;
     node_options.name = "person";
     node_ = ros::Node::create(*context_, loop_, std::move(node_options)).value();
-    goal_ = node_->advertise<GoalPredicates>("/goal");
-    status_ =
-        node_->subscribe<InstructionStatus>("/instruction_status", ros::Qos::latched().keep_last(1000),
-                                            [this](const InstructionStatus& status) { last_ = status; });
-    world_ = node_->subscribe<goalnet_msgs::msg::WorldState>(
-        "/world_state", ros::Qos::latched(),
-        [this](const goalnet_msgs::msg::WorldState&) { world_seen_ = true; });
   }
   void TearDown() override {
     for (auto& [name, process] : running_) process->signal(SIGINT);
@@ -59,53 +112,58 @@ class Processes : public testing::Test {
       EXPECT_EQ(process->wait(kLimit).exit_code, 0) << name << ": " << process->err();
     }
   }
-  void ask_for_the_tap() {
-    ASSERT_TRUE(goal_->wait_for_subscribers(1, kLimit));
-    ASSERT_TRUE(loop_.run_for(kLimit, [this] { return world_seen_; }));
-    GoalPredicates wanted;
-    messages::fill(wanted, Goal{{{"state", "SinkKnob", "TapIsOn"}}, {}, 1.0});
-    goal_->publish(wanted);
-  }
 
   ros::EventLoop loop_;
   std::unique_ptr<ros::Context> context_;
   std::unique_ptr<ros::Node> node_;
-  std::shared_ptr<ros::Publisher<GoalPredicates>> goal_;
-  std::shared_ptr<ros::Subscription<InstructionStatus>> status_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_;
-  InstructionStatus last_;
-  bool world_seen_ = false;
   std::map<std::string, std::unique_ptr<Process>> running_;
 };
 
-TEST_F(Processes, TurnOnTheTapInAnyStartOrder) {
-  start_all(1);
-  ask_for_the_tap();
-  ASSERT_TRUE(loop_.run_for(kLimit, [this] { return last_.finished(); })) << last_.stage();
-  EXPECT_EQ(last_.outcome(), 0) << last_.message();
+TEST_F(Processes, TwoRobotsOnOneNetworkInAnyStartOrder) {
+  Person first(*node_, loop_, "/robot1"), second(*node_, loop_, "/robot2");
+  start_all(1, "/robot1");
+  ASSERT_NO_FATAL_FAILURE(first.wait_until_the_world_is_known());
+  start_all(4, "/robot2");  // its time is another one
+  ASSERT_NO_FATAL_FAILURE(second.wait_until_the_world_is_known());
+  ASSERT_NO_FATAL_FAILURE(first.ask_for(kTapOn));
+  EXPECT_EQ(first.outcome(), 0) << first.last.message();
+  EXPECT_TRUE(first.facts->contains(kTapOn));
+  EXPECT_TRUE(second.facts->contains(kTapOff)) << "nobody asked the second robot";
+  ASSERT_NO_FATAL_FAILURE(second.ask_for(kTapOn));
+  EXPECT_EQ(second.outcome(), 0) << second.last.message();
 }
 
-TEST_F(Processes, ALostPlannerIsNamed) {
+TEST_F(Processes, ALostPlannerIsNamedAndReplaced) {
+  Person person(*node_, loop_, "");
   start_all(2);
-  ASSERT_TRUE(loop_.run_for(kLimit, [this] { return world_seen_; }));
-  running_.at("planner")->signal(SIGKILL);
-  static_cast<void>(running_.at("planner")->wait(kLimit));
-  running_.erase("planner");
-  ask_for_the_tap();
-  ASSERT_TRUE(loop_.run_for(kLimit, [this] { return last_.finished(); }));
-  EXPECT_EQ(last_.outcome(), 32);
-  EXPECT_THAT(last_.message(), testing::HasSubstr("planner"));
+  ASSERT_NO_FATAL_FAILURE(person.wait_until_the_world_is_known());
+  lose("planner");
+  ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
+  EXPECT_EQ(person.outcome(), 32);
+  EXPECT_THAT(person.last.message(), HasSubstr("planner"));
+  start("planner");
+  lose("coordinator");  // idle, too
+  start("coordinator");
+  ASSERT_TRUE(loop_.run_for(kLimit, [&] { return person.goal->subscriber_count() == 1; })) << "the dead one has gone";
+  ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
+  EXPECT_EQ(person.outcome(), 0) << person.last.message();
 }
 
-TEST_F(Processes, ALostWorldModelStopsTheRobot) {
+TEST_F(Processes, WhatIsKilledInMotionEndsInAFaultAndTheRobotRests) {
+  Person person(*node_, loop_, "");
   start_all(3);
-  ask_for_the_tap();
-  ASSERT_TRUE(loop_.run_for(kLimit, [this] { return last_.stage() == "acting"; }));
-  running_.at("world_model")->signal(SIGKILL);
-  static_cast<void>(running_.at("world_model")->wait(kLimit));
-  running_.erase("world_model");
-  ASSERT_TRUE(loop_.run_for(kLimit, [this] { return last_.finished(); }));
-  EXPECT_EQ(last_.outcome(), 31) << last_.message();
+  const std::pair<const char*, int> kVictims[] = {{"manipulation", 32}, {"executor", 32}, {"world_model", 31}};
+  for (const auto& [victim, outcome] : kVictims) {
+    ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
+    ASSERT_TRUE(loop_.run_for(kLimit, [&] { return person.moving() || person.finished(); })) << victim;
+    ASSERT_FALSE(person.finished()) << victim << ": " << person.last.message();
+    lose(victim);
+    EXPECT_EQ(person.outcome(), outcome) << victim << ": " << person.last.message();
+    EXPECT_TRUE(person.comes_to_rest()) << victim;
+    start(victim);
+  }
+  ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
+  EXPECT_EQ(person.outcome(), 0) << person.last.message();
 }
 
 }  // namespace

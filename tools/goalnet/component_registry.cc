@@ -16,22 +16,34 @@ namespace goalnet::tools {
 namespace {
 
 template <class Component>
-Expected<std::unique_ptr<ros::Component>> create(ros::Node& node) {
+Expected<std::unique_ptr<ros::ManagedComponent>> create(ros::Node& node) {
   auto component = Component::create(node);
   if (!component) return tl::unexpected<Error>(std::move(component.error()));
-  return std::unique_ptr<ros::Component>(std::move(*component));
+  return std::unique_ptr<ros::ManagedComponent>(std::move(*component));
+}
+
+template <class Component>
+std::string table(bool markdown) {
+  typename Component::Params params;
+  ros::ParameterSet set;
+  Component::describe(set, params);
+  return markdown ? ros::to_markdown(set) : ros::to_text(set);
+}
+
+template <class Component>
+constexpr ComponentKind kind(std::string_view name, std::string_view summary) {
+  return {name, summary, create<Component>, table<Component>};
 }
 
 constexpr ComponentKind kKinds[] = {
-    {"simulator", "the kitchen or living room in Bullet, with the robot in it", create<sim::SimulatorNode>},
-    {"executor", "follows trajectories at 1 kHz within limits", create<executor::ExecutorNode>},
-    {"world_model", "poses and joint positions to symbolic facts", create<world_model::WorldModelNode>},
-    {"goalnet", "sentence and world to goal predicates", create<inference::GoalnetNode>},
-    {"planner", "goal predicates to a plan", create<planner::PlannerNode>},
-    {"manipulation", "symbolic actions to trajectories", create<manipulation::ManipulationNode>},
-    {"coordinator", "the loop: infer, plan, act, observe", create<coordinator::CoordinatorNode>},
-    {"visualization", "markers of objects, facts, goal and path for RViz",
-     create<visualization::VisualizationNode>},
+    kind<sim::SimulatorNode>("simulator", "the kitchen or living room in Bullet, with the robot in it"),
+    kind<executor::ExecutorNode>("executor", "follows trajectories at 1 kHz within limits"),
+    kind<world_model::WorldModelNode>("world_model", "poses and joint positions to symbolic facts"),
+    kind<inference::GoalnetNode>("goalnet", "sentence and world to goal predicates"),
+    kind<planner::PlannerNode>("planner", "goal predicates to a plan"),
+    kind<manipulation::ManipulationNode>("manipulation", "symbolic actions to trajectories"),
+    kind<coordinator::CoordinatorNode>("coordinator", "the loop: infer, plan, act, observe"),
+    kind<visualization::VisualizationNode>("visualization", "markers of objects, facts, goal and path for RViz"),
 };
 
 }  // namespace

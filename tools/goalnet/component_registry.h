@@ -3,17 +3,19 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "components/core/outcome.h"
-#include "components/ros/node.h"
+#include "components/ros/managed_component.h"
 
 namespace goalnet::tools {
 
 struct ComponentKind {
   std::string_view name;  // of the component and of its node
   std::string_view summary;
-  Expected<std::unique_ptr<ros::Component>> (*create)(ros::Node& node);
+  Expected<std::unique_ptr<ros::ManagedComponent>> (*create)(ros::Node& node);
+  std::string (*parameters)(bool markdown);  // its table, for people or for a README
 };
 
 // In the order in which data flows.

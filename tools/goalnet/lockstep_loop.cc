@@ -1,11 +1,12 @@
 #include "tools/goalnet/lockstep_loop.h"
 
+#include <chrono>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "components/coordinator/coordinator_node.h"
 #include "components/coordinator/status_message.h"
-#include "components/manipulation/manipulation_node.h"
 #include "components/messages/conversions.h"
 #include "components/ros/bag/recorder.h"
 #include "components/ros/node.h"
@@ -61,7 +62,9 @@ ros::Arguments node_arguments(const LoopOptions& options, std::string_view compo
     if (options.max_steps > 0) set("max_steps", static_cast<std::int64_t>(options.max_steps));
     if (options.instruction_timeout > 0.0) set("instruction_timeout", options.instruction_timeout);
   }
+  if (component == "coordinator") set("first_id", std::int64_t{1});  // the same in every run
   own.insert(own.end(), arguments.parameters.begin(), arguments.parameters.end());
+  set("autostart", true);  // nobody else would; a loop without one of its components is none
   arguments.parameters = std::move(own);
   arguments.console = options.console && arguments.console;
   arguments.node_name.reset();  // one name cannot be for all
@@ -75,7 +78,7 @@ struct LockstepLoop::Impl {
   std::unique_ptr<ros::Context> context;
   ros::EventLoop loop;
   std::vector<std::unique_ptr<ros::Node>> nodes;
-  std::map<std::string, std::unique_ptr<ros::Component>, std::less<>> components;
+  std::map<std::string, std::unique_ptr<ros::ManagedComponent>, std::less<>> components;
   LoopEvents events;
   std::unique_ptr<ros::Recorder> recorder;
   ros::Node* observer = nullptr;
@@ -86,7 +89,6 @@ struct LockstepLoop::Impl {
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state;
   sim::SimulatorNode* simulator = nullptr;
   coordinator::CoordinatorNode* coordinator = nullptr;
-  manipulation::ManipulationNode* manipulation = nullptr;
   bool world_seen = false;
 
   ~Impl() {
@@ -144,7 +146,6 @@ Expected<void> LockstepLoop::Impl::add_components(const LoopOptions& options) {
   }
   simulator = dynamic_cast<sim::SimulatorNode*>(components.at("simulator").get());
   coordinator = dynamic_cast<coordinator::CoordinatorNode*>(components.at("coordinator").get());
-  manipulation = dynamic_cast<manipulation::ManipulationNode*>(components.at("manipulation").get());
   auto* executor = dynamic_cast<executor::ExecutorNode*>(components.at("executor").get());
   simulator->set_controller(executor->lockstep_hook());
   return {};
@@ -233,9 +234,17 @@ void LockstepLoop::step() {
   while (impl_->loop.run_pending()) {
   }
   impl_->simulator->tick();
+  // Whoever deactivated it by ros2 lifecycle may activate it again; until then we wait instead of spinning.
+  if (!impl_->simulator->active()) impl_->loop.run_for(std::chrono::milliseconds(10));
 }
 
 sim::World& LockstepLoop::world() { return impl_->simulator->world(); }
+
+ros::ManagedComponent& LockstepLoop::component(std::string_view name) {
+  const auto found = impl_->components.find(name);
+  if (found == impl_->components.end()) throw std::out_of_range("no component " + std::string(name));
+  return *found->second;
+}
 
 Expected<void> LockstepLoop::picture(const std::string& path) const {
   const sim::World& world = impl_->simulator->world();
@@ -253,6 +262,8 @@ Expected<void> LockstepLoop::finish_recording() {
 
 double LockstepLoop::sim_time() const { return impl_->observer->now().seconds(); }
 
-void LockstepLoop::interrupt() { impl_->manipulation->interrupt(); }
+void LockstepLoop::interrupt() {
+  for (const auto& [name, component] : impl_->components) component->interrupt();
+}
 
 }  // namespace goalnet::tools

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "components/coordinator/port.h"
@@ -16,6 +17,9 @@
 
 namespace goalnet::sim {
 class World;
+}
+namespace goalnet::ros {
+class ManagedComponent;
 }
 
 namespace goalnet::tools {
@@ -71,6 +75,10 @@ class LockstepLoop {
 
   // The physics behind the topics, for faults and tests; change it between steps only.
   sim::World& world();
+
+  // One of the components, to change its lifecycle state between steps. Throws std::out_of_range for a name that
+  // component_registry.h does not have.
+  ros::ManagedComponent& component(std::string_view name);
 
   // Ends a long computation inside step(); from any thread.
   void interrupt();

@@ -3,6 +3,7 @@
 #include "tools/bench/bench_command.h"
 #include "tools/goalnet/command.h"
 #include "tools/goalnet/component_command.h"
+#include "tools/goalnet/launch/launch_command.h"
 #include "tools/goalnet/record_command.h"
 #include "tools/goalnet/replay_command.h"
 #include "tools/goalnet/run_command.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr Command kCommands[] = {
     {"run", "let a simulated robot carry out an instruction", run_command},
     {"component", "run one component as a process of its own, as a ROS 2 node", component_command},
+    {"launch", "start, watch and restart components", launch_command},
     {"record", "record topics into a bag", record_command},
     {"replay", "publish what a bag holds", replay_command},
     {"bench", "measure speed", bench_command},

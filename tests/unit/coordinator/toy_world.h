@@ -69,9 +69,11 @@ struct RecordingPort : Port {
   }
   void execute(const ActionOrder& order) override { orders.push_back(order); }
   void cancel(const ActionOrder& order) override { cancels.push_back(order); }
+  void forget_request(std::uint64_t id) override { forgotten.push_back(id); }
   void report(const Report& report) override { reports.push_back(report); }
 
   std::vector<std::pair<std::uint64_t, std::uint32_t>> goal_requests, plan_requests;
+  std::vector<std::uint64_t> forgotten;
   std::vector<ActionOrder> orders, cancels;
   std::vector<Report> reports;
 };
