@@ -1,5 +1,7 @@
 #include "executor/executor_node.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 namespace goalnet::executor {
@@ -43,6 +45,18 @@ Expected<void> ExecutorNode::on_cleanup() {
   executor_.reset();
   params_.reset();
   return {};
+}
+
+void ExecutorNode::on_diagnose(ros::DiagnosticReport& report) {
+  const ExecutorStatus status = executor_->status();
+  // A few late cycles a second are an ordinary kernel; more and the motion is no longer as planned.
+  const auto overruns = static_cast<double>(status.overruns - std::min(overruns_told_, status.overruns));
+  overruns_told_ = status.overruns;
+  report.threshold("late cycles a second", overruns, 10, 100, "");
+  report.add("tracking error", std::to_string(status.tracking_error) + " (" + status.tracking_joint + ")");
+  report.add("cycles", std::to_string(status.cycles));
+  if (status.state == ExecutorState::kFault)
+    report.summary(ros::DiagnosticLevel::kError, "fault: " + status.message + "; the command reset leaves it");
 }
 
 ExecutorNode::Hook ExecutorNode::lockstep_hook() {

@@ -37,11 +37,13 @@ class ExecutorNode : public ros::ManagedComponent {
   Expected<void> on_activate() override;
   Expected<void> on_deactivate() override;
   Expected<void> on_cleanup() override;
+  void on_diagnose(ros::DiagnosticReport& report) override;
 
   Params declared_;
   std::optional<NodeParams> params_;              // from configure on
   std::unique_ptr<TrajectoryExecutor> executor_;  // from the first activation on: in lockstep it still brakes and holds
   std::unique_ptr<ExecutorSession> session_;      // while active
+  std::uint64_t overruns_told_ = 0;               // by on_diagnose()
 };
 
 }  // namespace goalnet::executor

@@ -100,6 +100,9 @@ void ExecutorSession::open_topics() {
 }
 
 void ExecutorSession::on_trajectory(const trajectory_msgs::msg::JointTrajectory& message) {
+  const std::int64_t stamp = messages::to_nanoseconds(message.header().stamp());
+  if (stamp != 0 && stamp == last_stamp_) return;  // sent again by one who has not heard our answer yet
+  last_stamp_ = stamp;
   const auto accepted = executor_.submit(from_message(message));
   if (accepted) return;
   refuse(messages::to_nanoseconds(message.header().stamp()), accepted.error().outcome,

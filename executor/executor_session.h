@@ -61,6 +61,7 @@ class ExecutorSession {
   std::shared_ptr<ros::Timer> timer_;
   std::optional<ExecutorStatus> reported_;
   bool refused_lately_ = false;
+  std::int64_t last_stamp_ = 0;  // of the trajectory taken or refused last
   std::uint64_t bad_joint_states_ = 0;
   std::unique_ptr<WallClockLoop> loop_;  // last: its threads end first
 };

@@ -62,6 +62,7 @@ class ActionRunner {
   JointTrajectory sent_;
   std::int64_t last_stamp_ = 0;
   std::int64_t sent_at_ns_ = 0;
+  std::int64_t sent_again_at_ns_ = 0;
   std::int64_t settled_at_ns_ = 0;
   std::int64_t now_ns_ = 0;
   bool cancelled_ = false;

@@ -32,7 +32,7 @@ Expected<void> ManagedComponent::begin() {
                  .on_shutdown = [this](LifecycleState) { return run("shutdown", &ManagedComponent::let_go); },
                  .on_error = [this](LifecycleState) { return run("error processing", &ManagedComponent::let_go); }});
   diagnostics_ = std::make_unique<Diagnostics>(node_);
-  diagnostics_->add("state", [this](DiagnosticReport& report) { report_state(report); });
+  diagnostics_->add("state", [this](DiagnosticReport& report) { diagnose(report); });
   if (!*autostart) return {};
   log_failures_ = false;  // whoever made us tells it
   auto done = configure();
@@ -142,9 +142,10 @@ Expected<void> ManagedComponent::change(std::string_view transition) {
   return tl::unexpected<Error>(last_error_);
 }
 
-void ManagedComponent::report_state(DiagnosticReport& report) const {
+void ManagedComponent::diagnose(DiagnosticReport& report) {
   report.add("state", std::string(label(state())));
-  if (state() == LifecycleState::kActive || state() == LifecycleState::kInactive) return;
+  if (active()) return on_diagnose(report);
+  if (state() == LifecycleState::kInactive) return;
   report.summary(DiagnosticLevel::kWarn,
                  fmt::format("{}{}{}", label(state()), last_error_.message.empty() ? "" : ": ", last_error_.message));
 }

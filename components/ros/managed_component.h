@@ -60,9 +60,11 @@ class ManagedComponent : public Component {
   // A parameter that may be set at any time was set; its member has the new value.
   virtual void on_parameter_set() {}
 
+  // Once a second while active, for /diagnostics: how the work goes.
+  virtual void on_diagnose(DiagnosticReport&) {}
+
   Node& node_;
   ParameterSet parameters_;
-  Diagnostics& diagnostics() { return *diagnostics_; }
 
  private:
   using Work = Expected<void> (ManagedComponent::*)();
@@ -73,7 +75,7 @@ class ManagedComponent : public Component {
   void declare();
   Expected<void> check(const std::vector<Parameter>& values) const;
   void take(const ParameterChange& change);
-  void report_state(DiagnosticReport& report) const;
+  void diagnose(DiagnosticReport& report);
 
   std::map<std::string, std::string> faults_;  // parameters with values that make no sense, and why
   Error last_error_;                           // of the last transition that failed

@@ -30,6 +30,7 @@ class WorldModelNode : public ros::ManagedComponent {
   Expected<void> on_activate() override;
   Expected<void> on_deactivate() override;
   Expected<void> on_cleanup() override;
+  void on_diagnose(ros::DiagnosticReport& report) override { session_->diagnose(report); }
 
   Params params_;
   // From configure on.

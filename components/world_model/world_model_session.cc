@@ -111,6 +111,14 @@ void WorldModelSession::publish_regularly() {
   if (model_->time_ns() > published_ns_) publish();
 }
 
+void WorldModelSession::diagnose(ros::DiagnosticReport& report) const {
+  const double age = 1e-9 * static_cast<double>(node_.now().nanoseconds - std::min(poses_ns_, joints_ns_));
+  report.threshold("age of observations", age, 0.5 * params_.stale_after, params_.stale_after, "s");
+  report.add("messages with entries left out", std::to_string(ignored_reports_));
+  if (!model_->complete() || silence_reported_)
+    report.summary(ros::DiagnosticLevel::kStale, "the world is not known: nothing is observed");
+}
+
 // When a simulator dies, its time stands still, and nothing ever becomes stale by it. So silence is also
 // watched for on the wall clock.
 void WorldModelSession::watch_for_silence() {

@@ -13,6 +13,7 @@
 
 #include "components/core/outcome.h"
 #include "components/robot/robot_model.h"
+#include "components/ros/diagnostics.h"
 #include "components/ros/node.h"
 #include "components/scene/scene.h"
 #include "components/world_model/world_model.h"
@@ -35,6 +36,9 @@ class WorldModelSession {
   // Opens the topics. All must outlive the session.
   WorldModelSession(ros::Node& node, const scene::Scene& scene, const robot::RobotModel& robot,
                     const SessionParams& params);
+
+  // Whether the world is known, and how old what was seen is.
+  void diagnose(ros::DiagnosticReport& report) const;
 
  private:
   void open_topics();

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "components/messages/conversions.h"
 #include "rosgraph_msgs/msg/Clock.h"
@@ -151,6 +153,47 @@ TEST_F(ExecutorLockstep, RefusalsCarryTheStamp) {
   EXPECT_NEAR(command_.position[3], 0.4, 1e-12);  // the first one was not disturbed
 }
 
+TEST_F(ExecutorLockstep, WhatIsSentTwiceIsTakenOnce) {
+  run(0.1);
+  trajectories_->publish(to(0.4, 5));
+  run(1.0);
+  trajectories_->publish(to(0.4, 5));  // by one who has not heard our answer yet
+  run(0.5);
+  EXPECT_EQ(seen_.back().state(), EXECUTING);
+  EXPECT_EQ(seen_.back().trajectory_id(), 1u);
+  EXPECT_NEAR(seen_.back().progress(), 0.75, 0.02);
+  run(1.0);
+  EXPECT_EQ(seen_.back().outcome(), 0);
+}
+
+TEST_F(ExecutorLockstep, DeactivatedItStopsAndHoldsAndActivatedItBeginsWhereTheJointsAre) {
+  run(0.1);
+  trajectories_->publish(to(0.4, 1));
+  run(1.0);
+  ASSERT_TRUE(executor_->deactivate());
+  tick();
+  EXPECT_EQ(seen_.back().outcome(), 22) << "told before it fell silent";
+  const std::size_t told = seen_.size();
+  trajectories_->publish(to(0.1, 2));
+  run(2.0);
+  EXPECT_EQ(command_.velocity[3], 0.0);
+  EXPECT_GT(command_.position[3], 0.29);
+  EXPECT_LT(command_.position[3], 0.4);
+  EXPECT_EQ(seen_.size(), told);
+  command_.position[3] = 0.2;  // somebody moves the lift meanwhile
+  ASSERT_TRUE(executor_->cleanup());
+  run(0.1);
+  EXPECT_EQ(command_.position[3], 0.2) << "without an executor it holds";
+  ASSERT_TRUE(executor_->configure());
+  ASSERT_TRUE(executor_->activate());
+  run(0.1);
+  EXPECT_NEAR(command_.position[3], 0.2, 1e-9);
+  trajectories_->publish(to(0.3, 3));
+  run(3.0);
+  EXPECT_EQ(seen_.back().outcome(), 0);
+  EXPECT_NEAR(command_.position[3], 0.3, 1e-9);
+}
+
 TEST_F(ExecutorLockstep, StopsAndResetsOnCommand) {
   run(0.1);
   trajectories_->publish(to(0.4, 1));
@@ -219,6 +262,50 @@ TEST_F(ExecutorNodeTest, RunsOnTheWallClock) {
   driver->cancel();  // the driver dies: the watchdog notices
   ASSERT_TRUE(loop_.run_for(5s, [&] { return seen_.back().state() == FAULT; }));
   EXPECT_EQ(seen_.back().outcome(), 31);
+}
+
+// On the wall clock deactivate returns when the robot stands.
+TEST_F(ExecutorNodeTest, DeactivateWaitsUntilTheRobotStands) {
+  start({"lock_memory:=false"});
+  const robot::RobotModel robot = robot::load_robot("default").value();
+  const auto lift = static_cast<std::size_t>(robot.index_of("lift"));
+  sensor_msgs::msg::JointState measured;
+  for (const robot::Joint& joint : robot.joints) {
+    measured.name().push_back(joint.name);
+    measured.position().push_back(joint.name == "lift" ? 0.2 : joint.home);
+  }
+  // A perfect robot in a thread of its own: this test's loop is the executor's, and that one waits.
+  std::atomic<double> position{0.2}, velocity{0.0};
+  std::atomic<int> commands{0};
+  const auto obey = client_->subscribe<sensor_msgs::msg::JointState>(
+      "joint_commands", ros::Qos::standard().keep_last(1),
+      [&](const sensor_msgs::msg::JointState& command) {
+        position = command.position()[lift];
+        velocity = command.velocity()[lift];
+        ++commands;
+      },
+      {.immediate = true});
+  std::jthread robot_thread([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      measured.position()[lift] = position;
+      joint_states_->publish(measured);
+      std::this_thread::sleep_for(2ms);
+    }
+  });
+  ASSERT_TRUE(loop_.run_for(2s, [&] { return commands > 0; }));
+  trajectories_->publish(to(0.4, 42));
+  ASSERT_TRUE(loop_.run_for(5s, [&] { return velocity > 0.05; }));
+  ASSERT_TRUE(executor_->deactivate());
+  EXPECT_EQ(velocity, 0.0);
+  EXPECT_LT(position, 0.4) << "stopped on the way";
+  const double stood = position;
+  const int before = commands;
+  loop_.run_for(50ms);
+  EXPECT_EQ(commands, before) << "silent";
+  EXPECT_EQ(seen_.back().outcome(), 22) << seen_.back().message();
+  ASSERT_TRUE(executor_->activate());
+  ASSERT_TRUE(loop_.run_for(2s, [&] { return commands > before + 5; }));
+  EXPECT_NEAR(position, stood, 1e-9);
 }
 
 TEST(ExecutorParameters, BadOnesAreRefused) {
