@@ -35,6 +35,7 @@ COMPONENTS = {
     "planner": [],
     "manipulation": ["scene", "robot"],
     "coordinator": [],
+    "visualization": ["scene", "robot"],
 }
 
 

@@ -21,7 +21,9 @@ void print_help() {
       "\n"
       "Runs one component as a managed (lifecycle) ROS 2 node in a process of its own, until Ctrl-C. Start them in any\n"
       "order. It configures and activates itself, unless -p autostart:=false: then a lifecycle manager or\n"
-      "\"ros2 lifecycle set\" does. Beside a simulator the others need its time: --ros-args -p use_sim_time:=true\n"
+      "\"ros2 lifecycle set\" does, and a bad parameter, file or model fails configure until \"ros2 param set\" mends it.\n"
+      "Started by itself, it ends with code 13 and says why. Beside a simulator the others need its time:\n"
+      "--ros-args -p use_sim_time:=true\n"
       "\n"
       "components:");
   for (const ComponentKind& kind : component_kinds()) {

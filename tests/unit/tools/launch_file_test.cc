@@ -91,14 +91,14 @@ TEST(LaunchFile, SlipsAreNamedWithTheirLine) {
 
 TEST(LaunchFile, ThoseThatAreShippedAreSound) {
   LaunchSurroundings all = kSurroundings;
-  all.components = {"simulator", "executor", "world_model", "goalnet", "planner", "manipulation", "coordinator"};
+  all.components = {"simulator", "executor", "world_model", "goalnet", "planner", "manipulation", "coordinator", "visualization"};
   const std::string folder = GOALNET_SOURCE_DIR "/config/launch/";
   const auto robot = read_launch_file(folder + "robot.yaml", {{"namespace", "/robot1"}}, all);
   ASSERT_TRUE(robot) << robot.error().message;
-  EXPECT_EQ(robot->processes.size(), 7u);
+  EXPECT_EQ(robot->processes.size(), 8u);
   const auto components = read_launch_file(folder + "components.yaml", {}, all);
   ASSERT_TRUE(components) << components.error().message;
-  EXPECT_EQ(components->processes.size(), 6u);
+  EXPECT_EQ(components->processes.size(), 7u);
   EXPECT_THAT(read_launch_file("/no/such/file.yaml", {}, all).error().message,
               HasSubstr("cannot read the launch file /no/such/file.yaml"));
 }

@@ -61,7 +61,7 @@ def main():
 
     every = commands(description)
     assert [p.name for p in every] == ["simulator", "executor", "world_model", "goalnet", "planner", "manipulation",
-                                       "coordinator"], every
+                                       "coordinator", "visualization"], every
     simulator = every[0]
     assert simulator.cmd[:4] == ["goalnet", "component", "simulator", "--ros-args"], simulator.cmd
     assert "scene:=kitchen" in simulator.cmd and "__ns:=/" not in simulator.cmd, simulator.cmd
@@ -72,7 +72,7 @@ def main():
 
     real = commands(description, simulator="false", use_sim_time="false", namespace="/robot1", distro="humble",
                     params_file="p.yaml", program="/opt/goalnet")
-    assert [p.name for p in real][0] == "executor" and len(real) == 6
+    assert [p.name for p in real][0] == "executor" and len(real) == 7
     for process in real:
         words = process.cmd
         assert words[0] == "/opt/goalnet"
