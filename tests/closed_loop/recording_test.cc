@@ -210,6 +210,7 @@ TEST_F(Recording, TopicsAreThoseOfTheTable) {
   std::size_t compared = 0;
   const auto bag = open(run("run", "mcap"));
   for (const ros::BagTopic& topic : bag->topics()) {
+    if (topic.name.ends_with("/transition_event")) continue;  // one for each component, under its name
     const auto row = documented.find(topic.name);
     ASSERT_NE(row, documented.end()) << topic.name << " is not in idl/README.md";
     if (row->second.first == "standard") continue;
