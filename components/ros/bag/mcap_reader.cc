@@ -216,19 +216,24 @@ void McapReader::take_statistics(std::span<const std::uint8_t> content) {
   }
 }
 
-// Where the recorder was killed there is no summary, and schemas and channels are only in the chunks.
+// Where the recorder was killed there is no summary, and schemas and channels are only in the chunks. What
+// comes before the first damaged chunk is kept: the end of such a file may be anything.
 Expected<void> McapReader::look_into_chunks() {
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     auto records = load_chunk(*source_, chunks_[i]);
-    if (!records)
-      return tl::unexpected(broken(name_, chunks_[i].offset, "a chunk: " + records.error().message));
     Expected<void> taken;
-    for_each_record(*records, [&](std::uint8_t opcode, std::span<const std::uint8_t> content) {
-      if (!taken) return;
-      if (opcode == kSchema) taken = take_schema(content);
-      if (opcode == kChannel) taken = take_channel(content);
-    });
-    if (!taken) return tl::unexpected(broken(name_, chunks_[i].offset, taken.error().message));
+    if (!records) {
+      taken = fail(Outcome::kInvalidRequest, "a chunk: " + records.error().message);
+    } else {
+      for_each_record(*records, [&](std::uint8_t opcode, std::span<const std::uint8_t> content) {
+        if (!taken) return;
+        if (opcode == kSchema) taken = take_schema(content);
+        if (opcode == kChannel) taken = take_channel(content);
+      });
+    }
+    if (taken) continue;
+    if (i == 0) return tl::unexpected(broken(name_, chunks_[i].offset, taken.error().message));
+    chunks_.resize(i);
   }
   return {};
 }

@@ -81,7 +81,7 @@ struct Kind {
   bool compress = false;
 };
 
-struct BagFileTest : testing::TestWithParam<Kind> {
+struct BagFolder : testing::Test {
   fs::path folder = fs::path(testing::TempDir()) / ("bag_file_test_" + std::to_string(getpid()));
   void SetUp() override { fs::remove_all(folder); }
   void TearDown() override { fs::remove_all(folder); }
@@ -116,6 +116,9 @@ struct BagFileTest : testing::TestWithParam<Kind> {
                      std::string(bag_file_extension(kind.storage)));
   }
 };
+
+struct BagFileTest : BagFolder, testing::WithParamInterface<Kind> {};
+struct UnfinishedMcap : BagFolder {};
 
 // Messages of a bag, or of what can be read before an error, which ends up in `error`.
 std::vector<BagMessage> read_all(BagReader& bag, std::string& error) {
@@ -301,6 +304,25 @@ TEST_P(BagFileTest, SurvivesDamage) {
     if (!bag) continue;
     EXPECT_LE(read_all(**bag, error).size(), 200u);
   }
+}
+
+TEST_F(UnfinishedMcap, IsKeptUpToTheFirstDamage) {
+  const Kind kind{BagStorage::kMcap, Distro::kJazzy};
+  auto bag = BagWriter::create(options(kind));
+  ASSERT_TRUE(bag);
+  fill(**bag, 10);
+  ASSERT_TRUE((*bag)->flush());
+  const std::size_t first = contents(file(kind)).size();
+  ASSERT_TRUE((*bag)->write(0, 2'000'000'000u, 0, payload(99)));
+  ASSERT_TRUE((*bag)->flush());
+  std::string cut = contents(file(kind));  // as a killed process leaves it
+  ASSERT_TRUE((*bag)->close());
+  cut[first + 70] ^= 1;
+  write_file(file(kind), cut);
+  EXPECT_EQ(read_all(folder.string()).size(), 20u);
+  const auto repaired = repair_bag(folder.string(), kind.distro);
+  ASSERT_TRUE(repaired) << repaired.error().message;
+  EXPECT_EQ(repaired->message_count(), 20u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BagFileTest,
