@@ -38,6 +38,7 @@ ModelRun run_model(GoalModel& model, const Demonstration& demonstration, const L
       break;
     }
     if (goal->empty()) break;
+    if (goals.empty()) run.confidence = goal->confidence;
     const auto plan = planner.plan(to_sym_goal(*goal, symbols), now);
     if (plan) {
       for (const SymAction& action : *plan) {

@@ -32,7 +32,8 @@ struct ModelRun {
   std::vector<std::string> actions;  // in the demonstrations' spelling
   FactSet final_state;
   Scores scores;
-  std::string refusal;  // the model's message when it refused; the run then did nothing more
+  double confidence = 0;  // of the first prediction; 0 when there was none
+  std::string refusal;    // the model's message when it refused; the run then did nothing more
 };
 
 struct Evaluation {

@@ -11,6 +11,7 @@
 
 #include "components/core/config_path.h"
 #include "components/goalnet/evaluation.h"
+#include "tools/goalnet/cross_validate.h"
 
 namespace goalnet::tools {
 namespace {
@@ -50,6 +51,18 @@ int eval_command(int argc, char** argv) {
   app.add_flag("--include-perturbed", perturbed, "score the randomly perturbed a_* files too");
   app.add_flag("--physics", physics, "score in the physical simulation (not offered by this program yet)");
   app.add_flag("--json", json, "print one JSON object");
+  CrossValidateRequest validation;
+  std::string by;
+  app.add_option("--cross-validate", by,
+                 "score no model file, but models trained anew without the tested scenarios (or verbs)")
+      ->check(CLI::IsMember({"scenario", "verb"}));
+  app.add_option("--folds", validation.folds, "folds of the cross-validation")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  app.add_option("--only-folds", validation.only, "run only so many of them; 0: all")
+      ->check(CLI::Range(0, 1000));
+  app.add_option("--fold-seed", validation.seed, "how scenarios or verbs are dealt to the folds")
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -58,6 +71,12 @@ int eval_command(int argc, char** argv) {
   if (physics)
     return report(
         {Outcome::kInvalidRequest, "--physics is not available; use goalnet run for single instructions"});
+
+  if (!by.empty()) {
+    validation.folder = folder, validation.by = by, validation.grounding = grounding, validation.runs = runs;
+    validation.threads = threads, validation.json = json;
+    return cross_validate(validation);
+  }
 
   auto demonstrations = read_demonstrations(folder);
   if (!demonstrations) return report(demonstrations.error());

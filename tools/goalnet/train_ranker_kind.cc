@@ -1,10 +1,7 @@
 #include "tools/goalnet/train_ranker_kind.h"
 
 #include <charconv>
-#include <fstream>
-#include <sstream>
 
-#include "components/core/config_path.h"
 #include "components/goalnet/ranker/train.h"
 
 namespace goalnet::tools {
@@ -48,12 +45,9 @@ Expected<void> train_ranker_kind(const TrainRequest& request) {
   options.ranker.training.seed = request.seed;
   for (const auto& [name, value] : request.settings)
     if (auto ok = apply_setting(name, value, options); !ok) return ok;
-  const std::string language = config_path("language/household.json");
-  std::ifstream file(language, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) return fail(Outcome::kInvalidRequest, language + ": cannot be read");
-  options.language_json = text.str();
+  auto language = read_language_texts();
+  if (!language) return tl::unexpected(language.error());
+  options.language = std::move(*language);
   if (request.progress)
     options.progress = [&](const std::string& what, double done) {
       request.progress(done, what);

@@ -52,7 +52,7 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
       lexicon_->class_of(symbol, symbols_);
   Reading reading;
   reading.words = normal_words(tokens, *language_);
-  reading.instruction = see_instruction({}, nullptr, objects, *lexicon_, symbols_);
+  reading.instruction = see_instruction({}, nullptr, objects, *lexicon_, *language_, symbols_);
   const FrameReader reader(*lexicon_, *language_, symbols_);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
   return reading;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "components/goalnet/language/frames.h"
 #include "components/goalnet/tokenizer.h"
 
 namespace goalnet::inference {
@@ -27,9 +28,8 @@ void compress(Example& example) {
   }
 }
 
-}  // namespace
-
-Example make_example(const Demonstration& demonstration, Lexicon& lexicon, Symbols& symbols) {
+Example make_example(const Demonstration& demonstration, Lexicon& lexicon, const Language& language,
+                     Symbols& symbols) {
   Example example;
   example.id = demonstration.id;
   example.scenario = demonstration.scenario;
@@ -38,21 +38,29 @@ Example make_example(const Demonstration& demonstration, Lexicon& lexicon, Symbo
   lexicon.complete_objects(world);
   // A demonstration is read whole or not at all; its sentence is never too long in practice, and empty if so.
   const auto words = tokenize(demonstration.sentence).value_or(std::vector<std::string>{});
-  example.given = see_instruction(words, &demonstration.grounding, world.objects, lexicon, symbols);
-  example.none = see_instruction(words, nullptr, world.objects, lexicon, symbols);
+  example.given = see_instruction(words, &demonstration.grounding, world.objects, lexicon, language, symbols);
+  example.none = see_instruction(words, nullptr, world.objects, lexicon, language, symbols);
   for (const WorldState& state : demonstration.states)
     example.states.push_back(to_sym_state(state.facts, symbols));
   for (const std::string& text : demonstration.actions)
     example.actions.push_back(parse_action(text, symbols).value_or(SymAction{}));
   compress(example);
+  const FrameReader reader(lexicon, language, symbols);
+  for (auto [instruction, reading] :
+       {std::pair{&example.given, &example.read_given}, {&example.none, &example.read_none}}) {
+    auto understood = reader.read(*instruction, example.states.front());
+    *reading = {std::move(understood.macros), understood.complete};
+  }
   return example;
 }
 
+}  // namespace
+
 std::vector<Example> make_examples(const std::vector<Demonstration>& demonstrations, Lexicon& lexicon,
-                                   Symbols& symbols) {
+                                   const Language& language, Symbols& symbols) {
   std::vector<Example> examples;
   for (const Demonstration& demonstration : demonstrations)
-    examples.push_back(make_example(demonstration, lexicon, symbols));
+    examples.push_back(make_example(demonstration, lexicon, language, symbols));
   return examples;
 }
 

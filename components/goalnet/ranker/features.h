@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "components/goalnet/ranker/hints.h"
 #include "components/goalnet/ranker/instruction.h"
 #include "components/goalnet/sym_sim.h"
 
@@ -13,14 +14,6 @@ namespace goalnet::inference {
 
 inline constexpr std::uint32_t kFeatureBits = 18;
 inline constexpr std::uint32_t kFeatureBuckets = 1u << kFeatureBits;
-
-// What recorded neighbours of the instruction did: how much they speak for an action. See neighbours.h.
-struct NeighbourVote {
-  Verb verb;
-  ClassId x, y;  // classes; kNoClass where the action has no such argument
-  float weight;  // 0..1: share of the neighbours that did this anywhere in their run
-};
-inline constexpr ClassId kNoClass = 0xffff;
 
 // A run so far: where it began, where it is, what was done (macro actions, see with_means).
 struct PartialRun {
@@ -31,27 +24,42 @@ struct PartialRun {
 // Everything about a decision that its candidates share. Make one per decision; it refers to its arguments.
 class FeatureContext {
  public:
-  FeatureContext(const Instruction& instruction, const Lexicon& lexicon, std::span<const NeighbourVote> votes,
+  FeatureContext(const Instruction& instruction, const Lexicon& lexicon, const Hints& hints,
                  const PartialRun& run);
 
-  // Appends the features of `action` to `out`; numbers below kFeatureBuckets, possibly repeated.
-  void extract(const SymAction& action, std::vector<std::uint32_t>& out) const;
+  // Append features of `action` to `out`; numbers below kFeatureBuckets, possibly repeated. The fixed ones
+  // are the same all through a run.
+  void extract_fixed(const SymAction& action, std::vector<std::uint32_t>& out) const;
+  void extract_moment(const SymAction& action, std::vector<std::uint32_t>& out) const;
 
  private:
   struct ObjectCode {
     std::uint32_t mention = 0, state = 0, before = 0, class_code = 0, rank = 0, place = 0, name = 0;
-    bool named = false, held = false, handled = false;
-    int index = -1;
+    std::uint32_t home = 0;  // where it stood at the start, by name
+    std::uint32_t clause = 0, contents = 0, turn = 0, last_use = 0, last_place = 0;
+    bool named = false, held = false, handled = false, place_named = false;
+    int index = -1, mention_index = -1;
   };
+  ObjectCode make_code(Symbol object) const;
   ObjectCode code(Symbol object) const;
-  float vote(const SymAction& action, ClassId x, ClassId y) const;
+  float vote(const SymAction& action, const ObjectCode& x, const ObjectCode& y) const;
+  float stop_vote() const;
+  float habit(const SymAction& action) const;
+  std::uint32_t reading_code(const SymAction& action, const ObjectCode& x, const ObjectCode& y) const;
+  std::uint32_t class_code(Symbol symbol) const;
+  std::uint32_t repeats(const SymAction& action, std::uint32_t x_class) const;
   void extract_stop(std::vector<std::uint32_t>& out) const;
 
   const Instruction& instruction_;
   const Lexicon& lexicon_;
-  std::span<const NeighbourVote> votes_;
+  const Hints& hints_;
   const PartialRun& run_;
-  std::vector<std::uint8_t> handled_;  // per object: 1 moved or used, 2 as a place
+  std::vector<std::uint8_t> handled_;                // per object: 1 moved or used, 2 as a place
+  std::vector<std::uint8_t> last_use_, last_place_;  // per object: the verb last done with it, 0 none
+  std::vector<ObjectCode> codes_;                    // of the instruction's objects
+  int next_mention_ = 0;                             // the first that nothing was done with yet
+  std::uint32_t world_ = 0;                          // which devices are on or open
+  std::uint32_t read_ = 0;                           // how much of the grammar's reading was done
   std::uint32_t named_, named_handled_, held_named_, held_;
   std::uint32_t step_;
   SymAction last_, before_last_;

@@ -39,6 +39,41 @@ void find_mentions(Instruction& instruction, const Lexicon& lexicon, const std::
   }
 }
 
+// The frame of each word; 0 for what is no verb or stands in the name of a thing ("spoon").
+std::vector<std::uint32_t> find_frames(Instruction& instruction, const Language& language) {
+  std::vector<std::uint32_t> frames;
+  for (const std::string& word : instruction.words)
+    frames.push_back(static_cast<std::uint32_t>(language.verb(word)));
+  for (const Mention& mention : instruction.mentions)
+    for (int i = mention.begin; i < mention.end; ++i) frames[static_cast<std::size_t>(i)] = 0;
+  const auto first =
+      std::find_if(frames.begin(), frames.end(), [](std::uint32_t frame) { return frame != 0; });
+  if (first != frames.end()) instruction.first_frame = *first;
+  return frames;
+}
+
+void hash_words(Instruction& instruction, const std::vector<std::uint32_t>& frames) {
+  constexpr std::uint32_t kFrame = 0x46000000u;
+  std::vector<std::uint32_t> words = {hash_text("<s>")}, common = words;  // common: verbs by their frames
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    words.push_back(hash_text(instruction.words[i]));
+    common.push_back(frames[i] != 0 ? kFrame + frames[i] : words.back());
+  }
+  instruction.unigrams.assign(words.begin() + 1, words.end());
+  instruction.unigrams.insert(instruction.unigrams.end(), common.begin() + 1, common.end());
+  for (auto* list : {&words, &common}) {
+    list->push_back(hash_text("</s>"));
+    for (std::size_t i = 1; i < list->size(); ++i)
+      instruction.bigrams.push_back((*list)[i - 1] * 31u + (*list)[i]);
+  }
+  for (auto* list : {&instruction.unigrams, &instruction.bigrams}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  const auto first = std::find_if_not(instruction.words.begin(), instruction.words.end(), is_filler);
+  if (first != instruction.words.end()) instruction.first_verb = hash_text(*first);
+}
+
 // The words of a grounding key stand without blanks ("coffeetable"): where do they stand in the sentence?
 int find_joined(const std::vector<std::string>& words, const std::string& key) {
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -85,32 +120,24 @@ std::uint32_t hash_text(std::string_view text) {
 }
 
 Instruction see_instruction(const std::vector<std::string>& words, const Grounding* grounding,
-                            const std::vector<std::string>& objects, Lexicon& lexicon, Symbols& symbols) {
+                            const std::vector<std::string>& objects, Lexicon& lexicon,
+                            const Language& language, Symbols& symbols) {
   Instruction instruction;
   std::vector<bool> plural;
   for (const std::string& word : words) {
     if (is_article(word)) continue;
     if (word == "." && instruction.words.empty()) continue;  // many recorded sentences begin with a stop
-    instruction.words.push_back(singular(word));
-    plural.push_back(instruction.words.back() != word);
+    std::string normal = singular(word);
+    plural.push_back(normal != word);
+    if (!lexicon.is_word_of_name(normal) && language.verb(normal) == Frame::kNone)
+      normal = language.synonym(normal);
+    instruction.words.push_back(std::move(normal));
   }
   if (!instruction.words.empty() && instruction.words.back() == ".") instruction.words.pop_back();
 
-  for (const std::string& word : instruction.words) instruction.unigrams.push_back(hash_text(word));
-  std::uint32_t before = hash_text("<s>");
-  for (const std::uint32_t word : instruction.unigrams) {
-    instruction.bigrams.push_back(before * 31u + word);
-    before = word;
-  }
-  instruction.bigrams.push_back(before * 31u + hash_text("</s>"));
-  const auto first = std::find_if_not(instruction.words.begin(), instruction.words.end(), is_filler);
-  if (first != instruction.words.end()) instruction.first_verb = hash_text(*first);
-  for (auto* list : {&instruction.unigrams, &instruction.bigrams}) {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
-
   find_mentions(instruction, lexicon, plural);
+  const std::vector<std::uint32_t> frames = find_frames(instruction, language);
+  hash_words(instruction, frames);
 
   std::set<std::string> names(objects.begin(), objects.end());
   for (const std::string& name : names) {
@@ -154,6 +181,9 @@ Instruction see_instruction(const std::vector<std::string>& words, const Groundi
     if (object.mention < 0) continue;
     const int begin = instruction.mentions[static_cast<std::size_t>(object.mention)].begin;
     object.word_before = begin > 0 ? hash_text(instruction.words[static_cast<std::size_t>(begin - 1)]) : 1;
+    object.clause = instruction.first_frame;
+    for (int i = 0; i < begin; ++i)
+      if (const std::uint32_t frame = frames[static_cast<std::size_t>(i)]; frame != 0) object.clause = frame;
   }
   return instruction;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "components/goalnet/goal_model.h"
+#include "components/goalnet/language/language.h"
 #include "components/goalnet/lexicon.h"
 #include "components/goalnet/sym_state.h"
 
@@ -29,12 +30,14 @@ struct SeenObject {
   int mention = -1;               // index of the best mention
   int rivals = 0;                 // objects that the same mention names as well as this one, itself included
   std::uint32_t word_before = 0;  // of the mention: "on", "from", ...
+  std::uint32_t clause = 0;       // the frame of the verb that the mention stands behind; see Language::verb
 };
 
 struct Instruction {
   std::vector<std::string> words;                // singular, without articles; "." between sentences
-  std::vector<std::uint32_t> unigrams, bigrams;  // hashes of words (unique) and of neighbouring pairs
+  std::vector<std::uint32_t> unigrams, bigrams;  // hashes of words and frames (unique), neighbouring pairs
   std::uint32_t first_verb = 0;                  // the first word that is no filler
+  std::uint32_t first_frame = 0;                 // of the first word that is a verb; 0: there is none
   std::vector<Mention> mentions;                 // in order
   std::vector<SeenObject> objects;               // in the order of their names; Robot left out
   std::vector<std::int16_t> index;               // of each symbol in objects; -1: not in this world
@@ -46,9 +49,12 @@ struct Instruction {
   }
 };
 
-// `words` as tokenize() gives them; `objects`: names of the world's objects.
+// `words` as tokenize() gives them; `objects`: names of the world's objects. What verbs of one frame have in
+// common ("take", "grab") stands among the unigrams and bigrams like a word, so that a verb never seen in
+// training still says something.
 Instruction see_instruction(const std::vector<std::string>& words, const Grounding* grounding,
-                            const std::vector<std::string>& objects, Lexicon& lexicon, Symbols& symbols);
+                            const std::vector<std::string>& objects, Lexicon& lexicon,
+                            const Language& language, Symbols& symbols);
 
 std::uint32_t hash_text(std::string_view text);
 

@@ -36,7 +36,8 @@ void LogLinear::train(std::span<const Decision> decisions, const LogLinearOption
         return features.subspan(decision.offsets[i], decision.offsets[i + 1] - decision.offsets[i]);
       };
       scores.resize(count);
-      for (std::size_t i = 0; i < count; ++i) scores[i] = score(of(i));
+      for (std::size_t i = 0; i < count; ++i)
+        scores[i] = score(of(i)) + (decision.offset.empty() ? 0.0f : decision.offset[i]);
       softmax(scores);
       for (std::size_t i = 0; i < count; ++i) {
         if (decision.target[i] > 0) loss -= decision.target[i] * std::log(std::max(scores[i], 1e-9f));

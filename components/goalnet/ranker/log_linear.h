@@ -13,12 +13,13 @@ struct Decision {
   std::vector<std::uint32_t> features;
   std::vector<std::uint32_t> offsets;  // one more than candidates
   std::vector<float> target;           // what share of belief each candidate should have; sums to 1
+  std::vector<float> offset;           // added to the candidates' scores while learning; empty: zeros
   float weight = 1;
 };
 
 struct LogLinearOptions {
-  int epochs = 14;
-  float rate = 0.03f;   // AdaGrad's step
+  int epochs = 10;
+  float rate = 0.007f;  // AdaGrad's step
   float decay = 2e-6f;  // L2, applied to what is touched
   std::uint64_t seed = 1;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace goalnet::inference {
@@ -22,6 +23,44 @@ std::vector<Term> terms_of(const Instruction& instruction, const SymState& state
   return {sums.begin(), sums.end()};
 }
 
+// What stands where: rooms are told apart by it.
+std::vector<std::uint32_t> layout_of(const Instruction& instruction, const SymState& state) {
+  const auto name = [&](Symbol symbol) -> std::uint32_t {
+    const int found = instruction.find(symbol);
+    return found < 0 ? symbol : instruction.objects[static_cast<std::size_t>(found)].name_hash;
+  };
+  std::vector<std::uint32_t> layout;
+  for (const SymFact fact : state.facts()) {
+    const Relation relation = relation_of(fact);
+    if (relation != Relation::kOn && relation != Relation::kIn) continue;
+    layout.push_back((name(subject_of(fact)) * 0x9e3779b1u ^ name(object_of(fact))) * 0x85ebca6bu +
+                     static_cast<std::uint32_t>(relation));
+  }
+  std::sort(layout.begin(), layout.end());
+  return layout;
+}
+
+float overlap(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+  std::size_t common = 0;
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    if (*i < *j) {
+      ++i;
+    } else if (*j < *i) {
+      ++j;
+    } else {
+      ++common, ++i, ++j;
+    }
+  }
+  const std::size_t all = a.size() + b.size() - common;
+  return all == 0 ? 1.0f : static_cast<float>(common) / static_cast<float>(all);
+}
+
+// How much a neighbour counts when single objects are asked for.
+float room_weight(const Neighbour& neighbour) {
+  const float room = neighbour.layout * neighbour.layout;
+  return room * room * (0.02f + neighbour.similarity * neighbour.similarity);
+}
+
 }  // namespace
 
 Memory remember(const Example& example, bool grounding) {
@@ -29,6 +68,7 @@ Memory remember(const Example& example, bool grounding) {
   Memory memory;
   memory.scenario = example.scenario;
   memory.terms = terms_of(instruction, example.states.front());
+  memory.layout = layout_of(instruction, example.states.front());
   for (const Mention& mention : instruction.mentions) memory.mentions.push_back(hash_text(mention.phrase));
   const auto seen = [&](Symbol symbol) -> const SeenObject* {
     const int found = instruction.find(symbol);
@@ -70,8 +110,9 @@ void Neighbours::weigh(std::vector<Term>& terms) const {
   for (auto& [term, amount] : terms) amount *= norm;
 }
 
-std::vector<Neighbour> Neighbours::nearest(const Instruction& instruction, const SymState& state,
-                                           std::size_t count, const std::string& without_scenario) const {
+Neighbours::Nearest Neighbours::nearest(const Instruction& instruction, const SymState& state,
+                                        std::size_t count, const std::string& without_scenario) const {
+  const auto layout = layout_of(instruction, state);
   auto query = terms_of(instruction, state);
   weigh(query);
   std::vector<Neighbour> all;
@@ -91,16 +132,37 @@ std::vector<Neighbour> Neighbours::nearest(const Instruction& instruction, const
         dot += a++->second * b++->second;
       }
     }
-    all.push_back({&memories_[i], dot});
+    all.push_back({&memories_[i], dot, overlap(layout, memories_[i].layout)});
   }
   // Ties go to the earlier memory.
-  const auto better = [](const Neighbour& x, const Neighbour& y) {
-    return x.similarity != y.similarity ? x.similarity > y.similarity : x.memory < y.memory;
+  const auto best = [&](auto value) {
+    const std::size_t wanted = std::min(count, all.size());
+    std::partial_sort(all.begin(), all.begin() + static_cast<long>(wanted), all.end(),
+                      [&](const Neighbour& x, const Neighbour& y) {
+                        const float a = value(x), b = value(y);
+                        return a != b ? a > b : x.memory < y.memory;
+                      });
+    return std::vector<Neighbour>(all.begin(), all.begin() + static_cast<long>(wanted));
   };
-  count = std::min(count, all.size());
-  std::partial_sort(all.begin(), all.begin() + static_cast<long>(count), all.end(), better);
-  all.resize(count);
-  return all;
+  Nearest nearest;
+  nearest.by_words = best([](const Neighbour& n) { return n.similarity; });
+  nearest.by_room = best(room_weight);
+  return nearest;
+}
+
+std::vector<Habit> habits(std::span<const Neighbour> neighbours) {
+  std::map<SymAction, float> sums;
+  float total = 1e-6f;
+  for (const Neighbour& neighbour : neighbours) {
+    const float weight = room_weight(neighbour);
+    total += weight;
+    std::set<SymAction> once;
+    for (const Memory::Step& step : neighbour.memory->steps) once.insert(step.action);
+    for (const SymAction& action : once) sums[action] += weight;
+  }
+  std::vector<Habit> result;
+  for (const auto& [action, weight] : sums) result.push_back({action, weight / total});
+  return result;
 }
 
 std::vector<NeighbourVote> votes(std::span<const Neighbour> neighbours) {

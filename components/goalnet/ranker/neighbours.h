@@ -22,6 +22,7 @@ struct Memory {
   };
   std::string scenario;                 // empty in a shipped model
   std::vector<Term> terms;              // sorted by hash, not weighted
+  std::vector<std::uint32_t> layout;    // hashes of what stood where at the start, sorted
   std::vector<std::uint32_t> mentions;  // hashes of the phrases
   std::vector<Step> steps;
 };
@@ -31,6 +32,7 @@ Memory remember(const Example& example, bool grounding);
 struct Neighbour {
   const Memory* memory = nullptr;
   float similarity = 0;  // 0..1, cosine of weighted terms
+  float layout = 0;      // 0..1: share of the things that stand at the same places
 };
 
 class Neighbours {
@@ -38,9 +40,13 @@ class Neighbours {
   Neighbours() = default;
   explicit Neighbours(std::vector<Memory> memories);
 
-  // The most alike, best first; those of `without_scenario` left out.
-  std::vector<Neighbour> nearest(const Instruction& instruction, const SymState& state, std::size_t count,
-                                 const std::string& without_scenario = {}) const;
+  struct Nearest {
+    std::vector<Neighbour> by_words;  // the most alike instructions, best first
+    std::vector<Neighbour> by_room;   // the most alike in both words and room, best first
+  };
+  // At most `count` of each; those of `without_scenario` left out.
+  Nearest nearest(const Instruction& instruction, const SymState& state, std::size_t count,
+                  const std::string& without_scenario = {}) const;
   const std::vector<Memory>& memories() const { return memories_; }
 
  private:
@@ -54,6 +60,8 @@ class Neighbours {
 
 // What the neighbours did, by class.
 std::vector<NeighbourVote> votes(std::span<const Neighbour> neighbours);
+// What the neighbours by room did, by object.
+std::vector<Habit> habits(std::span<const Neighbour> neighbours);
 
 // The neighbour's actions carried over: objects that the neighbour's instruction named become those that this
 // one names, the others stay. Actions that are not possible here fall away when played.

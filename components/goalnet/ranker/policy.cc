@@ -6,24 +6,24 @@
 namespace goalnet::inference {
 
 Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const Places& places,
-                   std::span<const NeighbourVote> votes, const PartialRun& run) {
+                   const Hints& hints, const PartialRun& run) {
   Moment moment;
   moment.actions = candidates(instruction, lexicon, places, run.now);
-  const FeatureContext context(instruction, lexicon, votes, run);
+  const FeatureContext context(instruction, lexicon, hints, run);
   moment.decision.features.reserve(moment.actions.size() * 120);
   moment.decision.offsets.reserve(moment.actions.size() + 1);
   moment.decision.offsets.push_back(0);
   for (const SymAction& action : moment.actions) {
-    context.extract(action, moment.decision.features);
+    context.extract_fixed(action, moment.decision.features);
+    context.extract_moment(action, moment.decision.features);
     moment.decision.offsets.push_back(static_cast<std::uint32_t>(moment.decision.features.size()));
   }
   return moment;
 }
 
-Rollout::Rollout(const std::vector<const LogLinear*>& models, const Instruction& instruction,
-                 const Lexicon& lexicon, const Places& places, std::span<const NeighbourVote> votes,
-                 const SymState& start)
-    : models_(models), instruction_(instruction), lexicon_(lexicon), places_(places), votes_(votes) {
+Rollout::Rollout(const LogLinear& model, const Instruction& instruction, const Lexicon& lexicon,
+                 const Places& places, const Hints& hints, const SymState& start)
+    : model_(model), instruction_(instruction), lexicon_(lexicon), places_(places), hints_(hints) {
   Node root;
   root.run.start = root.run.now = start;
   nodes_.push_back(std::move(root));
@@ -31,19 +31,38 @@ Rollout::Rollout(const std::vector<const LogLinear*>& models, const Instruction&
 
 void Rollout::expand(std::size_t index) {
   if (nodes_[index].expanded) return;
-  Moment moment = make_moment(instruction_, lexicon_, places_, votes_, nodes_[index].run);
-  std::vector<float> sum(moment.actions.size(), 0.0f), scores(moment.actions.size());
-  for (const LogLinear* model : models_) {
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-      const std::size_t begin = moment.decision.offsets[i], end = moment.decision.offsets[i + 1];
-      scores[i] = model->score(std::span(moment.decision.features).subspan(begin, end - begin));
-    }
-    for (std::size_t i = 0; i < scores.size(); ++i) sum[i] += scores[i];
+  const FeatureContext context(instruction_, lexicon_, hints_, nodes_[index].run);
+  const auto score = [&](auto extract, const SymAction& action) {
+    features_.clear();
+    (context.*extract)(action, features_);
+    return model_.score(features_);
+  };
+  struct Choice {
+    SymAction action;
+    float fixed;
+  };
+  std::vector<Choice> choices;
+  float most = -1e9f;
+  for (const SymAction& action : candidates(instruction_, lexicon_, places_, nodes_[index].run.now)) {
+    const auto [fixed, added] = fixed_.try_emplace(action, 0.0f);
+    if (added) fixed->second = score(&FeatureContext::extract_fixed, action);
+    if (action.verb != Verb::kStop) most = std::max(most, fixed->second);
+    choices.push_back({action, fixed->second});
   }
-  for (float& value : sum) value /= static_cast<float>(models_.size());
+  // What the words alone make this unlikely is not looked at: 1 % of the probability, half of the work.
+  constexpr float kMargin = 4;
+  std::erase_if(choices, [&](const Choice& choice) {
+    return choice.action.verb != Verb::kStop && choice.fixed < most - kMargin;
+  });
+  std::vector<SymAction> actions;
+  std::vector<float> sum;
+  for (const Choice& choice : choices) {
+    actions.push_back(choice.action);
+    sum.push_back(choice.fixed + score(&FeatureContext::extract_moment, choice.action));
+  }
   LogLinear::softmax(sum);
   Node& node = nodes_[index];
-  node.actions = std::move(moment.actions);
+  node.actions = std::move(actions);
   node.probability = std::move(sum);
   node.child.assign(node.actions.size(), -1);
   node.expanded = true;

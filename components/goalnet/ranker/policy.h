@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <unordered_map>
 #include <vector>
 
 #include "components/goalnet/random.h"
@@ -22,14 +21,14 @@ struct Moment {
   Decision decision;  // target left empty
 };
 Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const Places& places,
-                   std::span<const NeighbourVote> votes, const PartialRun& run);
+                   const Hints& hints, const PartialRun& run);
 
 // Rolls the policy out for one instruction; moments seen before are remembered, so that many samples cost
 // little.
 class Rollout {
  public:
-  Rollout(const std::vector<const LogLinear*>& models, const Instruction& instruction, const Lexicon& lexicon,
-          const Places& places, std::span<const NeighbourVote> votes, const SymState& start);
+  Rollout(const LogLinear& model, const Instruction& instruction, const Lexicon& lexicon,
+          const Places& places, const Hints& hints, const SymState& start);
 
   CandidateRun greedy();
   CandidateRun sample(Random& random, float temperature);
@@ -51,12 +50,14 @@ class Rollout {
   template <class Choose>
   CandidateRun roll(Choose choose);
 
-  std::vector<const LogLinear*> models_;
+  const LogLinear& model_;
   const Instruction& instruction_;
   const Lexicon& lexicon_;
   const Places& places_;
-  std::span<const NeighbourVote> votes_;
+  const Hints& hints_;
   std::vector<Node> nodes_;
+  std::map<SymAction, float> fixed_;  // score of what does not change during a run
+  std::vector<std::uint32_t> features_;
 };
 
 }  // namespace goalnet::inference

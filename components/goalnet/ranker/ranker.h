@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "components/goalnet/ranker/boosted_trees.h"
+#include "components/goalnet/ranker/confidence.h"
 #include "components/goalnet/ranker/log_linear.h"
 #include "components/goalnet/ranker/neighbours.h"
 #include "components/goalnet/ranker/policy.h"
@@ -15,11 +16,12 @@ namespace goalnet::inference {
 
 struct RankerOptions {
   std::size_t neighbours = 20;  // asked for votes
-  std::size_t replays = 8;      // of these, replayed as candidate runs
+  std::size_t replays = 6;      // of these, replayed as candidate runs, by words and by room
   std::size_t samples = 40;     // runs drawn from the policy
   float temperature = 1.0f;
-  float greedy_weight = 2.0f;  // of the greedy run, in samples
-  float replay_weight = 8.0f;  // of a replay, in samples, times the similarity
+  float greedy_weight = 2.0f;   // of the greedy run, in samples
+  float replay_weight = 6.0f;   // of a replay, in samples, times the similarity
+  float reading_weight = 2.0f;  // of what the grammar reads; half of it when it cannot read everything
   LogLinearOptions training;
 };
 
@@ -29,22 +31,28 @@ struct Ranker {
   LogLinear policy{kFeatureBuckets};
   Neighbours neighbours;
   BoostedTrees reranker;  // empty: runs are chosen by expected agreement alone
+  Confidence confidence;  // what the expected agreement of the choice is worth
 };
 
 // Trains on the examples, seen with or without their grounding. Deterministic.
 Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& lexicon, bool grounding,
                     const RankerOptions& options, const std::function<bool(int, double)>& progress = {});
 
+struct Proposal {
+  std::vector<CandidateRun> pool;
+  Hints hints;
+};
+
 // Candidate runs with their weights; equal runs are merged (weights added). The greedy run comes first.
-std::vector<CandidateRun> propose(const Ranker& ranker, const Lexicon& lexicon,
-                                  const Instruction& instruction, const SymState& start, std::uint64_t seed);
+Proposal propose(const Ranker& ranker, const Lexicon& lexicon, const Instruction& instruction,
+                 const Reading& reading, const SymState& start, std::uint64_t seed);
 
 // For each run the weighted mean agreement with all of the pool (minimum Bayes risk).
 std::vector<Agreement> expected_agreement(const std::vector<CandidateRun>& pool);
 
-// The runs compressed again: replays and samples as decisions for training.
+// An example's steps as decisions. With `random` most of the least likely candidates are left out, for speed.
 std::vector<Decision> decisions_of(const Example& example, const Instruction& instruction,
-                                   const Lexicon& lexicon, const Places& places,
-                                   std::span<const NeighbourVote> votes);
+                                   const Lexicon& lexicon, const Places& places, const Hints& hints,
+                                   Random* random = nullptr);
 
 }  // namespace goalnet::inference

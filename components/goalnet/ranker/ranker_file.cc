@@ -3,9 +3,13 @@
 // demonstrations.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <tuple>
 
+#include "components/core/config_path.h"
 #include "components/goalnet/ranker/ranker_model.h"
 #include "components/goalnet/ranker/reranker.h"
 
@@ -14,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr std::uint64_t kMaxMemories = 100000;
 
 // Hashes of 32 bits as two halves: floats hold 16 bits exactly.
@@ -34,6 +38,7 @@ json options_json(const RankerOptions& options) {
           {"temperature", options.temperature},
           {"greedy_weight", options.greedy_weight},
           {"replay_weight", options.replay_weight},
+          {"reading_weight", options.reading_weight},
           {"epochs", options.training.epochs},
           {"rate", options.training.rate},
           {"decay", options.training.decay},
@@ -48,6 +53,7 @@ RankerOptions options_from(const json& j) {
   options.temperature = std::clamp(j.at("temperature").get<float>(), 0.01f, 100.0f);
   options.greedy_weight = j.at("greedy_weight").get<float>();
   options.replay_weight = j.at("replay_weight").get<float>();
+  options.reading_weight = j.at("reading_weight").get<float>();
   return options;
 }
 
@@ -78,9 +84,10 @@ Expected<void> write_one(SafeTensorsWriter& writer, const std::string& prefix, c
     if (auto ok = writer.add(prefix + ".trees.nodes", {nodes.size() / 4, 4}, nodes); !ok) return ok;
     if (auto ok = writer.add(prefix + ".trees.roots", {roots.size()}, roots); !ok) return ok;
   }
-  std::vector<float> terms, mentions, steps, counts;
+  std::vector<float> terms, layouts, mentions, steps, counts;
   for (const Memory& memory : ranker.neighbours.memories()) {
     for (const auto& [hash, amount] : memory.terms) put_hash(terms, hash), terms.push_back(amount);
+    for (const std::uint32_t hash : memory.layout) put_hash(layouts, hash);
     for (const std::uint32_t hash : memory.mentions) put_hash(mentions, hash);
     for (const Memory::Step& step : memory.steps)
       for (const float value : {static_cast<float>(step.action.verb), names.number(step.action.x, symbols),
@@ -88,14 +95,15 @@ Expected<void> write_one(SafeTensorsWriter& writer, const std::string& prefix, c
                                 static_cast<float>(step.y_class), static_cast<float>(step.x_mention),
                                 static_cast<float>(step.y_mention)})
         steps.push_back(value);
-    for (const std::size_t count : {memory.terms.size(), memory.mentions.size(), memory.steps.size()})
+    for (const std::size_t count :
+         {memory.terms.size(), memory.layout.size(), memory.mentions.size(), memory.steps.size()})
       counts.push_back(static_cast<float>(count));
   }
   const auto add = [&](const char* what, std::uint64_t columns, const std::vector<float>& values) {
     return writer.add(prefix + ".memory." + what, {values.size() / columns, columns}, values);
   };
-  for (const auto& result : {add("terms", 3, terms), add("mentions", 2, mentions), add("steps", 7, steps),
-                             add("counts", 3, counts)})
+  for (const auto& result : {add("terms", 3, terms), add("layouts", 2, layouts), add("mentions", 2, mentions),
+                             add("steps", 7, steps), add("counts", 4, counts)})
     if (!result) return result;
   return {};
 }
@@ -130,19 +138,20 @@ Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix,
     const std::uint64_t shape[] = {0, columns};
     return file.floats(prefix + ".memory." + what, shape);
   };
-  const auto terms = table("terms", 3), mentions = table("mentions", 2), steps = table("steps", 7),
-             counts = table("counts", 3);
-  for (const auto* tensor : {&terms, &mentions, &steps, &counts})
+  const auto terms = table("terms", 3), layouts = table("layouts", 2), mentions = table("mentions", 2),
+             steps = table("steps", 7), counts = table("counts", 4);
+  for (const auto* tensor : {&terms, &layouts, &mentions, &steps, &counts})
     if (!*tensor) return tl::unexpected(tensor->error());
   const auto bad = [&] {
     return fail(Outcome::kInvalidRequest,
                 file.name() + ": the memories of \"" + prefix + "\" are inconsistent");
   };
-  Rows term_rows(*terms, 3), mention_rows(*mentions, 2), step_rows(*steps, 7), count_rows(*counts, 3);
+  Rows term_rows(*terms, 3), layout_rows(*layouts, 2), mention_rows(*mentions, 2), step_rows(*steps, 7),
+      count_rows(*counts, 4);
   std::vector<Memory> memories;
   while (const float* count = count_rows.next()) {
     if (memories.size() >= kMaxMemories) return bad();
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 4; ++i)
       if (!is_count(count[i], 1e6f)) return bad();
     Memory memory;
     for (int i = 0; i < static_cast<int>(count[0]); ++i) {
@@ -150,12 +159,15 @@ Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix,
       if (!row || !is_count(row[0], 65535) || !is_count(row[1], 65535)) return bad();
       memory.terms.emplace_back(get_hash(row), row[2]);
     }
-    for (int i = 0; i < static_cast<int>(count[1]); ++i) {
-      const float* row = mention_rows.next();
-      if (!row || !is_count(row[0], 65535) || !is_count(row[1], 65535)) return bad();
-      memory.mentions.push_back(get_hash(row));
-    }
-    for (int i = 0; i < static_cast<int>(count[2]); ++i) {
+    for (auto [rows, number, hashes] : {std::tuple{&layout_rows, count[1], &memory.layout},
+                                        std::tuple{&mention_rows, count[2], &memory.mentions}})
+      for (int i = 0; i < static_cast<int>(number); ++i) {
+        const float* row = rows->next();
+        if (!row || !is_count(row[0], 65535) || !is_count(row[1], 65535)) return bad();
+        hashes->push_back(get_hash(row));
+      }
+    if (!std::is_sorted(memory.layout.begin(), memory.layout.end())) return bad();
+    for (int i = 0; i < static_cast<int>(count[3]); ++i) {
       const float* row = step_rows.next();
       const float most_name = static_cast<float>(names.size()) - 1;
       if (!row || !is_count(row[0], kVerbs - 1) || !is_count(row[1], most_name) ||
@@ -175,7 +187,8 @@ Expected<Ranker> read_one(const SafeTensors& file, const std::string& prefix,
     }
     memories.push_back(std::move(memory));
   }
-  if (!term_rows.at_end() || !mention_rows.at_end() || !step_rows.at_end()) return bad();
+  if (!term_rows.at_end() || !layout_rows.at_end() || !mention_rows.at_end() || !step_rows.at_end())
+    return bad();
   ranker.neighbours = Neighbours(std::move(memories));
   if (!file.contains(prefix + ".trees.nodes")) return ranker;
   const std::uint64_t node_shape[] = {0, 4}, root_shape[] = {0};
@@ -209,16 +222,47 @@ Places places_from(const json& j, std::size_t classes) {
   return places;
 }
 
+Confidence confidence_from(const json& j) {
+  auto points = j.get<std::vector<Confidence::Point>>();
+  std::sort(points.begin(), points.end());
+  for (auto& [expected, sji] : points) sji = std::clamp(sji, 0.0f, 1.0f);
+  return Confidence(std::move(points));
+}
+
 }  // namespace
 
-Expected<RankerParts> make_parts(const std::string& language_json, const std::string& name) {
+Expected<LanguageTexts> read_language_texts() {
+  LanguageTexts texts;
+  for (const auto& [name, text] :
+       {std::pair{"household", &texts.household}, {"english", &texts.english}, {"words", &texts.words}}) {
+    const std::string path = config_path(std::string("language/") + name + ".json");
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream content;
+    content << file.rdbuf();
+    if (!file) return fail(Outcome::kInvalidRequest, path + ": cannot be read");
+    *text = content.str();
+  }
+  return texts;
+}
+
+Expected<RankerParts> make_parts(LanguageTexts texts, const std::string& name) {
   RankerParts parts;
-  auto lexicon = Lexicon::parse(language_json, name, parts.symbols);
+  auto lexicon = Lexicon::parse(texts.household, name, parts.symbols);
   if (!lexicon) return tl::unexpected(lexicon.error());
   parts.lexicon = std::make_unique<Lexicon>(std::move(*lexicon));
-  auto language = Language::parse(language_json, name, *parts.lexicon, parts.symbols);
+  if (!texts.english.empty())
+    if (auto added = parts.lexicon->add_names(texts.english, name); !added)
+      return tl::unexpected(added.error());
+  auto language = Language::parse(texts.household, name, *parts.lexicon, parts.symbols);
   if (!language) return tl::unexpected(language.error());
   parts.language = std::make_unique<Language>(std::move(*language));
+  if (!texts.english.empty())
+    if (auto added = parts.language->add_english(texts.english, name); !added)
+      return tl::unexpected(added.error());
+  if (!texts.words.empty())
+    if (auto added = parts.language->add_other_words(texts.words, name); !added)
+      return tl::unexpected(added.error());
+  parts.texts = std::move(texts);
   return parts;
 }
 
@@ -230,12 +274,18 @@ Expected<void> write_ranker(const RankerParts& parts, const std::string& path) {
   const auto places = [](const Places& p) { return json{{"on", p.on}, {"in", p.in}}; };
   writer.metadata("goalnet.kind", "ranker");
   writer.metadata("goalnet.version", std::to_string(kVersion));
-  writer.metadata("goalnet.language", parts.lexicon->source());
+  writer.metadata("goalnet.language", parts.texts.household);
+  writer.metadata("goalnet.english", parts.texts.english);
+  writer.metadata("goalnet.words", parts.texts.words);
   writer.metadata("goalnet.names", json(names.names()).dump());
   writer.metadata("goalnet.vocabulary", json(parts.known_words).dump());
   writer.metadata(
       "goalnet.config",
-      json{{"options", options_json(parts.given.options)}, {"places", places(parts.given.places)}}.dump());
+      json{{"options", options_json(parts.given.options)},
+           {"places", places(parts.given.places)},
+           {"confidence",
+            {{"given", parts.given.confidence.points()}, {"none", parts.none.confidence.points()}}}}
+          .dump());
   writer.metadata("goalnet.data_fingerprint", parts.fingerprint);
   writer.metadata("goalnet.command", parts.command);
   return writer.write(path);
@@ -243,8 +293,8 @@ Expected<void> write_ranker(const RankerParts& parts, const std::string& path) {
 
 Expected<RankerParts> read_ranker(const SafeTensors& file) {
   std::map<std::string, std::string> texts;
-  for (const char* key :
-       {"version", "language", "names", "vocabulary", "config", "data_fingerprint", "command"}) {
+  for (const char* key : {"version", "language", "english", "words", "names", "vocabulary", "config",
+                          "data_fingerprint", "command"}) {
     auto text = file.metadata(std::string("goalnet.") + key);
     if (!text) return tl::unexpected(text.error());
     texts[key] = std::move(*text);
@@ -253,7 +303,8 @@ Expected<RankerParts> read_ranker(const SafeTensors& file) {
     return fail(Outcome::kInvalidRequest, file.name() + ": model version " + texts["version"] +
                                               "; this program reads version " + std::to_string(kVersion) +
                                               "; train it again");
-  auto parts = make_parts(texts["language"], file.name() + " (goalnet.language)");
+  auto parts =
+      make_parts({texts["language"], texts["english"], texts["words"]}, file.name() + " (goalnet.language)");
   if (!parts) return parts;
   try {
     std::vector<Symbol> names;
@@ -268,6 +319,7 @@ Expected<RankerParts> read_ranker(const SafeTensors& file) {
       if (!one) return tl::unexpected(one.error());
       *ranker = std::move(*one);
       ranker->places = places;
+      ranker->confidence = confidence_from(config.at("confidence").at(prefix));
     }
   } catch (const json::exception& error) {
     return fail(Outcome::kInvalidRequest, file.name() + ": " + error.what());

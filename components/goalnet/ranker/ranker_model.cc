@@ -92,22 +92,22 @@ RankerModel::Decoded RankerModel::decode(const StepInput& input) {
   // The seed depends on the words only: the same instruction is decoded alike wherever it is given.
   const std::uint64_t seed = hash_text(input.sentence);
   if (use_ == ModelUse::kRobot) return decode_robot(input, words, start, seed);
-  const Instruction instruction =
-      see_instruction(words, input.grounding, world.objects, *parts_.lexicon, parts_.symbols);
+  const Instruction instruction = see_instruction(words, input.grounding, world.objects, *parts_.lexicon,
+                                                  *parts_.language, parts_.symbols);
   return decode_benchmark(instruction, start, seed);
 }
 
 RankerModel::Decoded RankerModel::decode_benchmark(const Instruction& instruction, const SymState& start,
                                                    std::uint64_t seed) {
   const Ranker& ranker = instruction.grounding_given ? parts_.given : parts_.none;
-  const auto pool = propose(ranker, *parts_.lexicon, instruction, start, seed);
   const FrameReader reader(*parts_.lexicon, *parts_.language, parts_.symbols);
   const Understanding understanding = reader.read(instruction, start);
-  const auto features =
-      run_features(pool, instruction, start, play(start, understanding.macros), understanding.complete);
-  const std::size_t best = choose_run(ranker.reranker, pool, features);
-  const double confidence =
-      std::clamp(static_cast<double>(features[best][4]), 0.0, 1.0);  // expected agreement
+  const Reading reading{understanding.macros, understanding.complete};
+  const auto [pool, hints] = propose(ranker, *parts_.lexicon, instruction, reading, start, seed);
+  const AgreementTable table(pool);
+  const auto features = run_features(pool, table, instruction, start, hints);
+  const auto [best, expected] = choose_run(ranker.reranker, pool, table, features);
+  const auto confidence = static_cast<double>(ranker.confidence(expected));
   Decoded decoded;
   SymState now = start;
   for (const SymAction& action : pool[best].actions) {
@@ -134,13 +134,15 @@ RankerModel::Decoded RankerModel::decode_robot(const StepInput& input, const std
     return decoded;
   }
   if (understanding.macros.empty()) return decoded;  // all of it holds already
-  const Instruction instruction =
-      see_instruction(reading.words.text, input.grounding, world.objects, *parts_.lexicon, parts_.symbols);
+  const Instruction instruction = see_instruction(reading.words.text, input.grounding, world.objects,
+                                                  *parts_.lexicon, *parts_.language, parts_.symbols);
   const Ranker& ranker = instruction.grounding_given ? parts_.given : parts_.none;
-  const auto pool = propose(ranker, *parts_.lexicon, instruction, start, seed);
+  const auto pool = propose(ranker, *parts_.lexicon, instruction,
+                            {understanding.macros, understanding.complete}, start, seed)
+                        .pool;
   const CandidateRun read = play(start, understanding.macros);
   float support = 0;  // how far the learned runs agree with the reading
-  for (const CandidateRun& run : pool) support += run.weight * agreement(read, run).f1;
+  for (const CandidateRun& run : pool) support += (run.weight - run.read) * agreement(read, run).f1;
   const double confidence = std::clamp(0.6 + 0.4 * static_cast<double>(support), 0.0, 1.0);
   for (const SymDelta& step : understanding.steps)
     if (!step.empty()) decoded.steps.push_back(to_goal(step, parts_.symbols, confidence));

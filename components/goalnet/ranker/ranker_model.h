@@ -15,18 +15,26 @@
 
 namespace goalnet::inference {
 
+// The texts of config/language that a model carries with it; english and words may be empty.
+struct LanguageTexts {
+  std::string household, english, words;
+};
+// Reads household.json, english.json and words.json. kInvalidRequest: which cannot be read.
+Expected<LanguageTexts> read_language_texts();
+
 // Everything a trained model consists of.
 struct RankerParts {
   Symbols symbols;
   std::unique_ptr<Lexicon> lexicon;  // Language refers to it
   std::unique_ptr<Language> language;
+  LanguageTexts texts;
   std::vector<std::string> known_words;  // of the training sentences
   Ranker given, none;                    // trained with and without the demonstrations' grounding
   std::string fingerprint, command;      // of the data; what trained it
 };
 
-// Lexicon and Language from the text of config/language/household.json.
-Expected<RankerParts> make_parts(const std::string& language_json, const std::string& name);
+// Lexicon and Language from their texts.
+Expected<RankerParts> make_parts(LanguageTexts texts, const std::string& name);
 
 // Reads and writes the model file. Reading checks everything; kInvalidRequest says what is wrong.
 Expected<RankerParts> read_ranker(const SafeTensors& file);

@@ -13,11 +13,11 @@ struct CandidateRun {
   std::vector<SymAction> macros;   // as chosen
   std::vector<SymAction> actions;  // with their means; those that change nothing left out
   SymState end;
-  SymDelta change;                  // from the start to `end`
-  float log_probability = 0;        // of the policy, per run
-  float weight = 0;                 // how much it counts as "what a person might do": sampled + replayed
-  float sampled = 0, replayed = 0;  // shares of the two sources
-  int source = 0;                   // 0 greedy, 1 sampled, 2 a neighbour's replay, 3 a frame
+  SymDelta change;            // from the start to `end`
+  float log_probability = 0;  // of the policy, per run
+  float weight = 0;           // how much it counts as "what a person might do": the sum of the shares
+  float sampled = 0, replayed = 0, read = 0;  // shares of the sources
+  int source = 0;  // 0 greedy, 1 sampled, 2 a neighbour's replay, 3 the grammar's reading
 };
 
 // Applies macros one after the other (those that are not possible are left out).

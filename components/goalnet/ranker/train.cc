@@ -32,26 +32,25 @@ std::string hexadecimal(std::uint64_t value) {
 
 Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations,
                             const TrainingOptions& options) {
-  auto parts = make_parts(options.language_json, "language");
+  auto parts = make_parts(options.language, "language");
   if (!parts) return parts;
   parts->known_words = vocabulary(demonstrations);
   parts->fingerprint = hexadecimal(fingerprint(demonstrations));
   parts->command = options.command;
-  const std::vector<Example> examples = make_examples(demonstrations, *parts->lexicon, parts->symbols);
+  const std::vector<Example> examples =
+      make_examples(demonstrations, *parts->lexicon, *parts->language, parts->symbols);
   std::vector<const Example*> all;
   for (const Example& example : examples) all.push_back(&example);
-  const FrameReader frames(*parts->lexicon, *parts->language, parts->symbols);
-  const Reader reader = [&](const Instruction& instruction, const SymState& start) {
-    const Understanding understanding = frames.read(instruction, start);
-    return std::pair{play(start, understanding.macros), understanding.complete};
-  };
   // For each setting one ranker on everything and five on four fifths (the re-ranker's): six equal parts.
   double base = 0;
+  const double settings = options.given && options.none ? 2 : 1;
   bool stopped = false;
   for (const bool grounding : {true, false}) {
+    if (!(grounding ? options.given : options.none)) continue;
     const std::string setting = grounding ? "grounding given" : "grounding none";
     const auto tell = [&](const std::string& what, double part) {
-      if (options.progress && !options.progress(setting + ", " + what, base + part / 2)) stopped = true;
+      if (options.progress && !options.progress(setting + ", " + what, base + part / settings))
+        stopped = true;
       return !stopped;
     };
     Ranker& ranker = grounding ? parts->given : parts->none;
@@ -60,13 +59,15 @@ Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations,
           "ranker: epoch " + std::to_string(epoch + 1) + ", loss " + std::to_string(loss).substr(0, 6),
           (epoch + 1.0) / options.ranker.training.epochs / 6);
     });
-    if (options.rerank && !stopped)
-      ranker.reranker =
-          train_reranker(all, *parts->lexicon, grounding, options.ranker, reader, [&](double part) {
-            return tell("re-ranker: candidate runs for unseen scenarios", 1.0 / 6 + part * 5 / 6);
-          });
+    if (options.rerank && !stopped) {
+      auto reranker = train_reranker(all, *parts->lexicon, grounding, options.ranker, [&](double part) {
+        return tell("re-ranker: candidate runs for unseen scenarios", 1.0 / 6 + part * 5 / 6);
+      });
+      ranker.reranker = std::move(reranker.trees);
+      ranker.confidence = std::move(reranker.confidence);
+    }
     if (stopped) return fail(Outcome::kCancelled, "training was stopped");
-    base = 0.5;
+    base += 1 / settings;
   }
   if (options.progress) options.progress("done", 1);
   return parts;

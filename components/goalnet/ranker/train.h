@@ -12,9 +12,10 @@ namespace goalnet::inference {
 
 struct TrainingOptions {
   RankerOptions ranker;
-  bool rerank = true;         // also train the choice among candidate runs
-  std::string language_json;  // the text of config/language/household.json
-  std::string command;        // what was typed; goes into the metadata
+  bool given = true, none = true;  // which settings to train: with and without the demonstrations' grounding
+  bool rerank = true;              // also train the choice among candidate runs
+  LanguageTexts language;
+  std::string command;  // what was typed; goes into the metadata
   // What is being done and how far it is (0..1); called now and then. Returning false stops: kCancelled.
   std::function<bool(const std::string& what, double fraction)> progress;
 };

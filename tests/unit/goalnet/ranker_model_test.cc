@@ -54,7 +54,7 @@ std::vector<Demonstration> people() {
 
 RankerParts trained(bool rerank) {
   TrainingOptions options;
-  options.language_json = language();
+  options.language.household = language();
   options.command = "goalnet train people -o model";
   options.rerank = rerank;
   options.ranker.training.epochs = 8;
@@ -167,7 +167,7 @@ TEST_F(RankerFile, DamagedFilesAreRefusedWithOneMessage) {
 
 TEST_F(RankerFile, TrainingCanBeStopped) {
   TrainingOptions options;
-  options.language_json = language();
+  options.language.household = language();
   options.progress = [](const std::string&, double) { return false; };
   EXPECT_EQ(train(people(), options).error().outcome, Outcome::kCancelled);
 }

@@ -29,7 +29,9 @@ TEST(Rules, EqualTheBenchmarkDomain) {
   const auto worlds =
       nlohmann::json::parse(text_of(GOALNET_SOURCE_DIR "/tests/data/instructions/worlds.json"));
   Symbols symbols;
-  Lexicon lexicon = *Lexicon::load(GOALNET_SOURCE_DIR "/config/language/household.json", symbols);
+  const std::string household = GOALNET_SOURCE_DIR "/config/language/household.json";
+  Lexicon lexicon = *Lexicon::load(household, symbols);
+  const Language language = *Language::parse(text_of(household), household, lexicon, symbols);
   Random random(5);
   int compared = 0, applied = 0;
   for (const char* room : {"kitchen", "living_room"}) {
@@ -37,7 +39,7 @@ TEST(Rules, EqualTheBenchmarkDomain) {
     world.objects = worlds[room]["objects"].get<std::vector<std::string>>();
     std::vector<Predicate> facts;
     for (const auto& text : worlds[room]["facts"]) facts.push_back(*parse_predicate(text.get<std::string>()));
-    const Instruction nothing = see_instruction({}, nullptr, world.objects, lexicon, symbols);
+    const Instruction nothing = see_instruction({}, nullptr, world.objects, lexicon, language, symbols);
     Places places;  // anything on and in anything
     for (ClassId id = 0; id < lexicon.classes(); ++id) places.on.push_back(id), places.in.push_back(id);
     for (int walk = 0; walk < 6; ++walk) {

@@ -1,0 +1,141 @@
+#include "tools/goalnet/cross_validate.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "components/goalnet/ranker/cross_validation.h"
+
+namespace goalnet::tools {
+namespace {
+
+using namespace goalnet::inference;
+
+constexpr std::pair<const char*, double Scores::*> kColumns[] = {{"sji", &Scores::sji},
+                                                                 {"ied", &Scores::ied},
+                                                                 {"f1", &Scores::f1},
+                                                                 {"grr", &Scores::grr},
+                                                                 {"grr_formula", &Scores::grr_formula},
+                                                                 {"exact", &Scores::exact},
+                                                                 {"ied_canonical", &Scores::ied_canonical}};
+
+int report(const Error& error) {
+  std::fprintf(stderr, "goalnet eval: %s\n", error.message.c_str());
+  return static_cast<int>(error.outcome);
+}
+
+// Over all demonstrations, and how far the folds lie from one another.
+struct Summary {
+  double mean = 0, deviation = 0;  // standard deviation of the folds' means
+};
+
+Summary summarize(const std::vector<FoldScores>& folds, double Scores::*score) {
+  Summary summary;
+  double runs = 0, sum = 0, squares = 0;
+  for (const FoldScores& fold : folds) {
+    for (const ModelRun& run : fold.runs) summary.mean += run.scores.*score;
+    runs += static_cast<double>(fold.runs.size());
+    sum += fold.mean.*score;
+    squares += fold.mean.*score * fold.mean.*score;
+  }
+  const auto n = static_cast<double>(folds.size());
+  summary.mean /= std::max(1.0, runs);
+  if (n > 1) summary.deviation = std::sqrt(std::max(0.0, (squares - sum * sum / n) / (n - 1)));
+  return summary;
+}
+
+// A line that rewrites itself on a terminal; else a line every half minute.
+class Progress {
+ public:
+  void show(double done) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - shown_ < (terminal_ ? std::chrono::milliseconds(500) : std::chrono::seconds(30))) return;
+    shown_ = now;
+    const double spent = std::chrono::duration<double>(now - begin_).count();
+    const int left = done > 0 ? static_cast<int>(spent / done * (1 - done)) : 0;
+    std::fprintf(stderr, "%s%3d %%  %d:%02d left%s", terminal_ ? "\r" : "", static_cast<int>(done * 100),
+                 left / 60, left % 60, terminal_ ? "\x1b[K" : "\n");
+  }
+  void finish() const {
+    if (terminal_) std::fputc('\n', stderr);
+  }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), shown_ = begin_;
+};
+
+void print(const CrossValidateRequest& request, const std::vector<FoldScores>& folds, double seconds) {
+  std::size_t count = 0;
+  for (const FoldScores& fold : folds) count += fold.runs.size();
+  const auto bins = calibration(folds);
+  if (request.json) {
+    nlohmann::json object = {{"by", request.by},      {"grounding", request.grounding},
+                             {"folds", folds.size()}, {"seed", request.seed},
+                             {"count", count},        {"seconds", seconds}};
+    for (const auto& [name, score] : kColumns) {
+      const Summary summary = summarize(folds, score);
+      object[name] = {{"mean", summary.mean}, {"deviation", summary.deviation}};
+    }
+    object["calibration_error"] = calibration_error(bins);
+    for (const CalibrationBin& bin : bins)
+      object["calibration"].push_back({{"confidence", bin.confidence}, {"sji", bin.sji}, {"runs", bin.runs}});
+    std::printf("%s\n", object.dump().c_str());
+    return;
+  }
+  std::printf("%zu folds by %s (seed %llu), %zu demonstrations, grounding %s, %.0f s\n", folds.size(),
+              request.by.c_str(), static_cast<unsigned long long>(request.seed), count,
+              request.grounding.c_str(), seconds);
+  for (const FoldScores& fold : folds)
+    std::printf("  trained on %zu, tested on %zu: SJI %.3f  IED %.3f  F1 %.3f  GRR %.3f\n", fold.trained_on,
+                fold.runs.size(), fold.mean.sji, fold.mean.ied, fold.mean.f1, fold.mean.grr);
+  for (const auto& [name, score] : kColumns) {
+    const Summary summary = summarize(folds, score);
+    std::printf("%-13s %.3f +- %.3f\n", name, summary.mean, summary.deviation);
+  }
+  std::printf("confidence against SJI, tenths of the runs:");
+  for (const CalibrationBin& bin : bins) std::printf("  %.2f/%.2f", bin.confidence, bin.sji);
+  std::printf("\ncalibration error %.3f\n", calibration_error(bins));
+}
+
+}  // namespace
+
+int cross_validate(const CrossValidateRequest& request) {
+  const auto demonstrations = read_demonstrations(request.folder);
+  if (!demonstrations) return report(demonstrations.error());
+  const auto language = read_language_texts();
+  if (!language) return report(language.error());
+  auto folds = make_folds(*demonstrations, request.by == "verb" ? FoldBy::kVerb : FoldBy::kScenario,
+                          request.folds, request.seed, *language);
+  if (!folds) return report(folds.error());
+  if (request.only > 0 && request.only < request.folds) folds->resize(static_cast<std::size_t>(request.only));
+  for (const Fold& fold : *folds)
+    if (fold.train.empty() || fold.test.empty())
+      return report({Outcome::kInvalidRequest, request.folder + ": too few demonstrations for " +
+                                                   std::to_string(request.folds) + " folds by " +
+                                                   request.by});
+  CrossValidationOptions options;
+  options.grounding = request.grounding == "given";
+  options.threads = request.threads;
+  options.training.language = *language;
+  Progress progress;
+  if (!request.json) options.progress = [&](double done) { progress.show(done); };
+  const auto scores = inference::cross_validate(*demonstrations, *folds, options);
+  if (!scores) return report(scores.error());
+  if (!request.json) progress.finish();
+  if (!request.runs.empty()) {
+    std::vector<ModelRun> runs;
+    for (const FoldScores& fold : *scores) runs.insert(runs.end(), fold.runs.begin(), fold.runs.end());
+    if (const auto written = write_runs(runs, request.runs); !written) return report(written.error());
+  }
+  print(request, *scores, progress.seconds());
+  return 0;
+}
+
+}  // namespace goalnet::tools
