@@ -68,7 +68,8 @@ std::vector<UnseenPool> pools_of_fold(const std::vector<const Example*>& example
     const SymState& start = example->states.front();
     const Reading& reading = grounding ? example->read_given : example->read_none;
     auto [pool, hints] = propose(ranker, lexicon, instruction, reading, start, hash_text(example->id));
-    UnseenPool unseen_pool{.fold = fold};
+    UnseenPool unseen_pool;
+    unseen_pool.fold = fold;
     unseen_pool.features = run_features(pool, AgreementTable(pool), instruction, start, hints);
     const CandidateRun truth = demonstrated_run(*example);
     for (const CandidateRun& run : pool) unseen_pool.scores.push_back(agreement(run, truth));

@@ -23,6 +23,24 @@ TEST(BoostedTrees, LearnAStepAndAnInteraction) {
             again.predict(std::vector<float>{0.2f, 0.6f, 0.1f}));
 }
 
+TEST(BoostedTrees, ABagIsTheMeanOfItsMembers) {
+  Random random(4);
+  std::vector<float> rows, targets;
+  for (int i = 0; i < 500; ++i) {
+    rows.insert(rows.end(), {random.uniform(), random.uniform()});
+    targets.push_back(rows[rows.size() - 2] + 0.3f * random.uniform());
+  }
+  BoostOptions options;
+  options.trees = 20;
+  const auto bag = BoostedTrees::train_bag(rows, 2, targets, options, 2);
+  const auto first = BoostedTrees::train(rows, 2, targets, options);
+  options.seed += 1;
+  const auto second = BoostedTrees::train(rows, 2, targets, options);
+  const std::vector<float> row = {0.7f, 0.2f};
+  EXPECT_NE(first.predict(row), second.predict(row));
+  EXPECT_NEAR(bag.predict(row), (first.predict(row) + second.predict(row)) / 2, 1e-5f);
+}
+
 TEST(BoostedTrees, RefuseTreesThatWouldNotEnd) {
   BoostedTrees trees;
   EXPECT_TRUE(trees.assign({{-1, 0.5f, 0, 0}}, {0}, 3));

@@ -152,8 +152,9 @@ TEST_F(RankerFile, DamagedFilesAreRefusedWithOneMessage) {
   }
   // Every metadata key and tensor is needed: rename each in turn.
   for (const std::string& key : std::initializer_list<std::string>{
-           "goalnet.kind", "goalnet.language", "goalnet.names", "goalnet.config", "none.policy",
-           "none.memory.counts", "none.memory.steps", "none.trees.roots"}) {
+           "goalnet.kind", "goalnet.language", "goalnet.english", "goalnet.words", "goalnet.names",
+           "goalnet.config", "none.policy", "none.memory.counts", "none.memory.layouts", "none.memory.steps",
+           "none.trees.roots"}) {
     std::string bad = good;
     const std::size_t at = bad.find("\"" + key + "\"");
     ASSERT_NE(at, std::string::npos) << key;
