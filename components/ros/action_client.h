@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "action_msgs/msg/GoalStatusArray.h"
 #include "action_msgs/srv/CancelGoal_service.h"
 #include "components/ros/action_goals.h"
 #include "components/ros/service.h"
@@ -31,6 +32,9 @@ class ActionClient {
     // How the goal ended (kSucceeded, kCanceled, kAborted) and its result; kUnknown if the server forgot it.
     // An error (kTimeLimit, kComponentLost) where no answer came.
     std::function<void(Expected<std::pair<GoalState, typename Action::Result>>)> on_result;
+    // The state as the server's status topic has it, whenever it changed. States that follow each other
+    // quickly may be skipped.
+    std::function<void(GoalState)> on_status = {};
   };
 
   ActionClient(Node& node, const std::string& name)
@@ -40,7 +44,10 @@ class ActionClient {
         get_result_(node, base_ + "get_result"),
         feedback_(node.subscribe<typename Action::FeedbackMessage>(
             base_ + "feedback", Qos::standard().keep_last(100),
-            [this](const typename Action::FeedbackMessage& message) { on_feedback(message); })) {}
+            [this](const typename Action::FeedbackMessage& message) { on_feedback(message); })),
+        status_(node.subscribe<action_msgs::msg::GoalStatusArray>(
+            base_ + "status", Qos::latched(),
+            [this](const action_msgs::msg::GoalStatusArray& message) { on_status(message); })) {}
 
   bool wait_for_server(std::chrono::nanoseconds timeout = std::chrono::seconds(5)) const {
     const auto end = std::chrono::steady_clock::now() + timeout;
@@ -58,7 +65,7 @@ class ActionClient {
               std::chrono::nanoseconds result_timeout = std::chrono::hours(24)) {
     const GoalId id = random_goal_id();
     auto shared = std::make_shared<GoalCallbacks>(std::move(callbacks));
-    goals_[id] = shared;
+    goals_[id] = {shared};
     typename SendGoal::Request request;
     request.goal_id().uuid(id);
     request.goal(goal);
@@ -111,8 +118,19 @@ class ActionClient {
   void on_feedback(const typename Action::FeedbackMessage& message) {
     const auto found = goals_.find(message.goal_id().uuid());
     if (found == goals_.end()) return;
-    const auto callbacks = found->second;  // may end while it is called
+    const auto callbacks = found->second.callbacks;  // may end while it is called
     if (callbacks->on_feedback) callbacks->on_feedback(message.feedback());
+  }
+
+  void on_status(const action_msgs::msg::GoalStatusArray& message) {
+    for (const auto& one : message.status_list()) {
+      const auto found = goals_.find(one.goal_info().goal_id().uuid());
+      const auto state = static_cast<GoalState>(one.status());
+      if (found == goals_.end() || found->second.state == state) continue;
+      found->second.state = state;
+      const auto callbacks = found->second.callbacks;  // may end while it is called
+      if (callbacks->on_status) callbacks->on_status(state);
+    }
   }
 
   void send_cancel(const typename Cancel::Request& request,
@@ -127,12 +145,17 @@ class ActionClient {
     });
   }
 
+  struct Entry {
+    std::shared_ptr<GoalCallbacks> callbacks;
+    GoalState state = GoalState::kUnknown;  // as last told by the status topic
+  };
   std::string base_;
-  std::map<GoalId, std::shared_ptr<GoalCallbacks>> goals_;
+  std::map<GoalId, Entry> goals_;
   Client<SendGoal> send_goal_;
   Client<Cancel> cancel_;
   Client<GetResult> get_result_;
   std::shared_ptr<Subscription<typename Action::FeedbackMessage>> feedback_;
+  std::shared_ptr<Subscription<action_msgs::msg::GoalStatusArray>> status_;
 };
 
 }  // namespace goalnet::ros

@@ -78,10 +78,10 @@ ActionGoals::Selection ActionGoals::select_for_cancel(const GoalId& id, Time sta
   if (!any_id && any_time) {
     const auto named = state(id);
     if (!named) return {CancelCode::kUnknownGoal, {}};
-    if (terminal(*named)) return {CancelCode::kTerminated, {}};
+    if (!allowed(*named, GoalState::kCanceling)) return {CancelCode::kTerminated, {}};
   }
   for (const Goal& goal : goals_) {
-    if (terminal(goal.state)) continue;
+    if (!allowed(goal.state, GoalState::kCanceling)) continue;
     const bool by_time = any_time ? any_id : goal.accepted <= stamp;
     if (by_time || (!any_id && goal.id == id)) selection.goals.push_back(goal);
   }

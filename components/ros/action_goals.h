@@ -53,7 +53,8 @@ class ActionGoals {
   std::optional<GoalState> state(const GoalId& id) const;
 
   // Goals that a cancel request with this id and stamp means, by the four rules of CancelGoal.srv, in order
-  // of acceptance. Finished ones are left out, unless the id names one: then the code says so.
+  // of acceptance. As in rcl, goals that are finished or being cancelled already are left out; where the
+  // request names just such a goal the code is kTerminated.
   struct Selection {
     CancelCode code = CancelCode::kNone;
     std::vector<Goal> goals;

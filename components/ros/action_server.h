@@ -112,11 +112,11 @@ class ActionServer {
       typename GetResult::Response response;
       response.status(static_cast<std::int8_t>(state));
       response.result(result);
+      publish_status();  // before the result, as rclcpp and rclpy do: with it, clients forget the goal
       const auto waiting = waiters.equal_range(id);
       for (auto it = waiting.first; it != waiting.second; ++it) it->second.send(response);
       waiters.erase(id);
       results[id] = std::move(response);
-      publish_status();
       return true;
     }
     void publish_status() {
@@ -217,10 +217,9 @@ class ActionServer {
     for (const ActionGoals::Goal& goal : selection.goals) {
       const auto handle = core_->handles[goal.id].lock();
       if (!handle) continue;
-      const bool already = goal.state == GoalState::kCanceling;
-      if (!already && (!callbacks_.on_cancel || !callbacks_.on_cancel(*handle))) continue;
+      if (!callbacks_.on_cancel || !callbacks_.on_cancel(*handle)) continue;
       // The callback may have ended the goal at once: then it passed through CANCELING all the same.
-      if (!already) core_->set(goal.id, GoalState::kCanceling);
+      core_->set(goal.id, GoalState::kCanceling);
       action_msgs::msg::GoalInfo info;
       info.goal_id().uuid(goal.id);
       info.stamp(goal.accepted.to_msg());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "components/core/outcome.h"
 
@@ -44,6 +45,8 @@ class Context {
   int domain_id() const;
   Distro distro() const;
   const std::string& enclave() const;
+  // Full names of the nodes that other participants of the domain have now, sorted.
+  std::vector<std::string> other_nodes() const;
 
   const std::shared_ptr<detail::Participant>& participant() const {
     return participant_;

@@ -53,8 +53,8 @@ Node::Node(Context& context, EventLoop& loop, NodeOptions options)
   try {
     if (options.rosout && options.arguments.rosout) open_rosout();
     if (options.services) internals_->services = std::make_unique<NodeServices>(*this);
-    const bool simulated = value_or_throw(declare_parameter(
-        "use_sim_time", options.use_sim_time, {.description = "follow /clock instead of the wall clock"}));
+    const bool simulated = value_or_throw(declare_parameter("use_sim_time", options.use_sim_time));
+    if (context_.distro() == Distro::kJazzy) open_jazzy_services(options.logger_services);
     follow_simulated_time(simulated);
     parameters_.add_observer([this](const ParameterChange& change) {
       for (const Parameter& parameter : change.changed) {
@@ -102,6 +102,15 @@ void Node::open_rosout() {
   internals_->rosout = advertise<rcl_interfaces::msg::Log>("/rosout", Qos::rosout());
   logger_->set_sink(
       [this](const LogRecord& record) { internals_->rosout->publish(to_msg(record, clock_.now())); });
+}
+
+void Node::open_jazzy_services(bool loggers) {
+  ParameterDescriptor descriptor;  // word for word as in ROS 2
+  descriptor.description = "If enabled, start the ~/get_type_description service.";
+  descriptor.read_only = true;
+  const bool describe = value_or_throw(declare_parameter("start_type_description_service", true, descriptor));
+  if (internals_->services && describe) internals_->services->open_type_description();
+  if (internals_->services && loggers) internals_->services->open_loggers();
 }
 
 void Node::follow_simulated_time(bool use) {

@@ -29,7 +29,9 @@ struct NodeOptions {
   Arguments arguments;        // remaps, parameters, levels; -r __node and __ns win over the two above
   bool rosout = true;         // write the log to /rosout too
   bool use_sim_time = false;  // default of the parameter use_sim_time
-  bool services = true;       // offer parameter, logger and type description services
+  bool services = true;       // offer parameter and, in Jazzy, type description services
+  // Offer ~/get_logger_levels and ~/set_logger_levels. Only in Jazzy: Humble's tools do not know their types.
+  bool logger_services = true;
 };
 
 // What a component's shell derives from, so that a launcher can hold any of them.
@@ -120,6 +122,7 @@ class Node {
   struct Internals;  // endpoints that every node has: /rosout, /clock, parameter services
   void take_arguments(const Arguments& arguments);
   void open_rosout();
+  void open_jazzy_services(bool loggers);
   void follow_simulated_time(bool use);
 
   Context& context_;

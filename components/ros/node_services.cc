@@ -165,16 +165,18 @@ void NodeServices::Impl::open_loggers() {
 
 NodeServices::NodeServices(Node& node) : impl_(std::make_shared<Impl>(node)) {
   impl_->open_parameters();
-  if (node.context().distro() == Distro::kJazzy) {
-    impl_->describe_type = std::make_unique<Server<type_description_interfaces::srv::GetTypeDescription>>(
-        node, "~/get_type_description",
-        [](const auto& request, auto& response) { describe_type(request, response); });
-  }
-  impl_->open_loggers();
   node.parameters().add_observer([weak = std::weak_ptr<Impl>(impl_)](const ParameterChange& change) {
     if (const auto impl = weak.lock()) impl->publish(change);
   });
 }
+
+void NodeServices::open_type_description() {
+  impl_->describe_type = std::make_unique<Server<type_description_interfaces::srv::GetTypeDescription>>(
+      impl_->node, "~/get_type_description",
+      [](const auto& request, auto& response) { ros::describe_type(request, response); });
+}
+
+void NodeServices::open_loggers() { impl_->open_loggers(); }
 
 NodeServices::~NodeServices() = default;
 

@@ -7,12 +7,15 @@ namespace goalnet::ros {
 
 class Node;
 
-// The six parameter services and /parameter_events, get_logger_levels and set_logger_levels, and in Jazzy
-// ~/get_type_description. Made by Node; runs in its loop.
+// Made by Node; runs in its loop.
 class NodeServices {
  public:
+  // The six parameter services and /parameter_events.
   explicit NodeServices(Node& node);
   ~NodeServices();
+
+  void open_type_description();  // ~/get_type_description
+  void open_loggers();           // ~/get_logger_levels and ~/set_logger_levels
 
  private:
   struct Impl;

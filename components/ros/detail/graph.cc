@@ -78,11 +78,13 @@ class Decoder {
   std::size_t at_ = 4;
 };
 
-std::string join(const GraphNode& node) {
-  return (node.node_namespace == "/" ? "" : node.node_namespace) + "/" + node.name;
-}
+std::string join(const GraphNode& node) { return full_name(node.node_namespace, node.name); }
 
 }  // namespace
+
+std::string full_name(const std::string& node_namespace, const std::string& name) {
+  return (node_namespace == "/" ? "" : node_namespace) + "/" + name;
+}
 
 GraphNode* Graph::find(const std::string& full_name) {
   const auto found =

@@ -17,6 +17,9 @@ struct GraphNode {
   std::vector<Gid> writers;
 };
 
+// "/robot_1/planner" from "/robot_1" and "planner"; "/planner" where the namespace is "/".
+std::string full_name(const std::string& node_namespace, const std::string& name);
+
 // Not thread-safe; the participant guards it.
 class Graph {
  public:

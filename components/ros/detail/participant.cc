@@ -4,6 +4,7 @@
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
 
 #include <algorithm>
 
@@ -85,8 +86,7 @@ void set_transports(const ParticipantSettings& settings, dds::DomainParticipantQ
 
 }  // namespace
 
-Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSettings& settings) {
-  std::shared_ptr<Participant> self(new Participant(settings));
+dds::DomainParticipantQos participant_qos(const ParticipantSettings& settings) {
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
   qos.name(settings.enclave);
   std::string user_data = "enclave=" + settings.enclave + ";";
@@ -94,13 +94,18 @@ Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSett
   qos.user_data().data_vec({user_data.begin(), user_data.end()});
   set_discovery(settings, qos);
   set_transports(settings, qos);
-  // Data goes to each peer by unicast, never to a multicast address that only some endpoint announced. A
-  // precaution: Fast DDS 2.9.1 is known to assert in its output traffic manager when Cyclone DDS readers are
-  // discovered; the abort was never seen here, with or without this line (README).
+  // Data goes to each peer by unicast, never to a multicast address that its endpoints announce. Where
+  // several Cyclone DDS peers announce one multicast address, Fast DDS 2.9 opens that one only, then answers
+  // a single peer by unicast and aborts, because that address was never opened
+  // (tests/interoperability/abort_test.cc).
   qos.allocation().locators.max_multicast_locators = 0;
+  return qos;
+}
 
+Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSettings& settings) {
+  std::shared_ptr<Participant> self(new Participant(settings));
   self->participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
-      settings.domain_id, qos, &self->listener_, dds::StatusMask::none());
+      settings.domain_id, participant_qos(settings), &self->listener_, dds::StatusMask::none());
   if (self->participant_ == nullptr) {
     return fail(Outcome::kInternal, "Fast DDS cannot make a participant on domain " +
                                         std::to_string(settings.domain_id) +
@@ -159,6 +164,11 @@ Expected<void> Participant::open_graph() {
   const std::string user_data = endpoint_user_data(settings_.distro, idl::find_type(kGraphType)->hash);
   graph_writer_ = publisher_->create_datawriter(*topic, writer_qos(Qos::latched(), user_data));
   if (graph_writer_ == nullptr) return fail(Outcome::kInternal, "Fast DDS cannot write ros_discovery_info");
+  Qos qos = Qos::latched();
+  qos.keep_all = true;  // as rmw reads it: one message of each participant counts
+  graph_reader_ = subscriber_->create_datareader(*topic, reader_qos(qos, user_data), &graph_listener_,
+                                                 dds::StatusMask::data_available());
+  if (graph_reader_ == nullptr) return fail(Outcome::kInternal, "Fast DDS cannot read ros_discovery_info");
   return {};
 }
 
@@ -172,12 +182,14 @@ void Participant::publish_graph() {
 
 void Participant::add_node(const std::string& node_namespace, const std::string& name) {
   std::lock_guard lock(mutex_);
+  peers_.add_own(full_name(node_namespace, name));
   graph_->add_node(node_namespace, name);
   publish_graph();
 }
 
 void Participant::remove_node(const std::string& full_name) {
   std::lock_guard lock(mutex_);
+  peers_.remove_own(full_name);
   graph_->remove_node(full_name);
   publish_graph();
 }
@@ -192,6 +204,25 @@ void Participant::remove_endpoint(const Gid& gid) {
   if (graph_->remove(gid)) publish_graph();
 }
 
+// Takes no lock of the participant: in one process, another participant's publish_graph() ends up here.
+void Participant::GraphListener::on_data_available(dds::DataReader* reader) {
+  Incoming in;
+  dds::SampleInfo info;
+  while (reader->take_next_sample(&in, &info) == ReturnCode_t::RETCODE_OK) {
+    if (!info.valid_data || info.sample_identity.writer_guid().guidPrefix == reader->guid().guidPrefix)
+      continue;
+    if (const auto report = participant.peers_.take(in.payload)) participant.log_.warn("{}", *report);
+  }
+}
+
+void Participant::DiscoveryListener::on_participant_discovery(dds::DomainParticipant*,
+                                                              rtps::ParticipantDiscoveryInfo&& info) {
+  using Info = rtps::ParticipantDiscoveryInfo;
+  if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
+    participant.peers_.forget(to_gid(info.info.m_guid));
+  }
+}
+
 void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipant*,
                                                             rtps::WriterDiscoveryInfo&& info) {
   const std::string topic = info.info.topicName().to_string();
@@ -200,12 +231,36 @@ void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipa
     participant.written_.forget(topic, writer);
     return;
   }
-  const auto& data = info.info.m_qos.m_userData.data_vec();
-  const std::string user_data(data.begin(), data.end());
+  const auto& user_data = info.info.m_qos.m_userData;
+  participant.check_type_hash(info.info.typeName().to_string(), user_data);
   participant.written_.note(topic, writer,
-                            {info.info.typeName().to_string(), user_data_value(user_data, "typehash"),
+                            {info.info.typeName().to_string(), type_hash_of(user_data),
                              offered_qos(info.info.m_qos)});
 }
+
+void Participant::DiscoveryListener::on_subscriber_discovery(dds::DomainParticipant*,
+                                                             rtps::ReaderDiscoveryInfo&& info) {
+  if (info.status != rtps::ReaderDiscoveryInfo::DISCOVERED_READER) return;
+  participant.check_type_hash(info.info.typeName().to_string(), info.info.m_qos.m_userData);
+}
+
+void Participant::check_type_hash(const std::string& dds_type, std::span<const std::uint8_t> user_data) {
+  const std::string hash = type_hash_of(user_data);
+  if (hash.empty()) return;
+  const auto* type = idl::find_type(idl::ros_type_name(dds_type));
+  if (type == nullptr || hash == type->hash) return;
+  {
+    std::lock_guard lock(foreign_types_mutex_);
+    if (!foreign_types_.insert(type->name).second) return;
+  }
+  log_.warn(
+      "another participant has a different definition of {} ({}; here {}): its messages may be misread or "
+      "dropped; "
+      "build both sides from the same definition",
+      type->name, hash, type->hash);
+}
+
+Gid Participant::gid() const { return to_gid(participant_->guid()); }
 
 Graph Participant::graph() const {
   std::lock_guard lock(mutex_);
@@ -230,5 +285,6 @@ Expected<std::unique_ptr<Context>> Context::create(const ContextOptions& options
 int Context::domain_id() const { return participant_->settings().domain_id; }
 Distro Context::distro() const { return participant_->settings().distro; }
 const std::string& Context::enclave() const { return participant_->settings().enclave; }
+std::vector<std::string> Context::other_nodes() const { return participant_->other_nodes(); }
 
 }  // namespace goalnet::ros

@@ -6,19 +6,25 @@
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
+#include <span>
 #include <string>
 
 #include "components/core/outcome.h"
 #include "components/ros/context.h"
 #include "components/ros/detail/graph.h"
+#include "components/ros/detail/graph_peers.h"
+#include "components/ros/detail/user_data.h"
 #include "components/ros/detail/written_topics.h"
 #include "components/ros/endpoint.h"
+#include "components/ros/logger.h"
 
 namespace goalnet::ros::detail {
 
@@ -37,6 +43,9 @@ struct ParticipantSettings {
 // Options completed from the environment. kInvalidRequest names the variable that makes no sense.
 Expected<ParticipantSettings> read_settings(const ContextOptions& options);
 
+// How such a participant is set up in Fast DDS.
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantSettings& settings);
+
 // Thread-safe.
 class Participant : public std::enable_shared_from_this<Participant> {
  public:
@@ -44,6 +53,7 @@ class Participant : public std::enable_shared_from_this<Participant> {
   ~Participant();
 
   const ParticipantSettings& settings() const { return settings_; }
+  Gid gid() const;
   eprosima::fastdds::dds::Publisher& publisher() { return *publisher_; }
   eprosima::fastdds::dds::Subscriber& subscriber() { return *subscriber_; }
 
@@ -58,21 +68,36 @@ class Participant : public std::enable_shared_from_this<Participant> {
   void add_endpoint(const std::string& node_full_name, const Gid& gid, bool is_writer);
   void remove_endpoint(const Gid& gid);
   Graph graph() const;
+  // Nodes of other participants, as their ros_discovery_info has it: full names, sorted.
+  std::vector<std::string> other_nodes() const { return peers_.names(); }
 
   // Who writes what, of this process and of others.
   WrittenTopics& written() { return written_; }
 
  private:
-  // Hears of writers elsewhere.
+  // Hears of endpoints elsewhere, and of participants that leave.
   struct DiscoveryListener : eprosima::fastdds::dds::DomainParticipantListener {
     explicit DiscoveryListener(Participant& owner) : participant(owner) {}
+    void on_participant_discovery(eprosima::fastdds::dds::DomainParticipant*,
+                                  eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
     void on_publisher_discovery(eprosima::fastdds::dds::DomainParticipant*,
                                 eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
+    void on_subscriber_discovery(eprosima::fastdds::dds::DomainParticipant*,
+                                 eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
     Participant& participant;
   };
 
-  explicit Participant(const ParticipantSettings& settings) : settings_(settings) {}
+  // Hears what other participants say about their nodes.
+  struct GraphListener : eprosima::fastdds::dds::DataReaderListener {
+    explicit GraphListener(Participant& owner) : participant(owner) {}
+    void on_data_available(eprosima::fastdds::dds::DataReader* reader) override;
+    Participant& participant;
+  };
+
+  explicit Participant(const ParticipantSettings& settings) : settings_(settings), peers_(settings.distro) {}
   Expected<void> open_graph();
+  // Warns, once a type, where somebody has another definition of a type of ours.
+  void check_type_hash(const std::string& dds_type, std::span<const std::uint8_t> user_data);
   void publish_graph();
 
   struct SharedTopic {
@@ -82,12 +107,17 @@ class Participant : public std::enable_shared_from_this<Participant> {
   };
 
   const ParticipantSettings settings_;
+  GraphPeers peers_;
+  GraphListener graph_listener_{*this};
+  Logger log_{"ros_graph"};
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
   mutable std::mutex mutex_;
   DiscoveryListener listener_{*this};
   WrittenTopics written_;
+  std::mutex foreign_types_mutex_;
+  std::set<std::string> foreign_types_;  // of ours, that were announced with another hash
   std::map<std::string, SharedTopic> topics_;
   std::unique_ptr<Graph> graph_;
   eprosima::fastdds::dds::DataWriter* graph_writer_ = nullptr;
@@ -96,9 +126,6 @@ class Participant : public std::enable_shared_from_this<Participant> {
 
 Gid to_gid(const eprosima::fastrtps::rtps::GUID_t& guid);
 eprosima::fastrtps::rtps::GUID_t to_guid(const Gid& gid);
-
-// "typehash=RIHS01_...;" in Jazzy, nothing in Humble.
-std::string endpoint_user_data(Distro distro, const std::string& type_hash);
 
 // QoS of ROS endpoints in Fast DDS terms; data sharing off.
 eprosima::fastdds::dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data);

@@ -52,10 +52,6 @@ eprosima::fastrtps::rtps::GUID_t to_guid(const Gid& gid) {
   return guid;
 }
 
-std::string endpoint_user_data(Distro distro, const std::string& type_hash) {
-  return distro == Distro::kHumble || type_hash.empty() ? "" : "typehash=" + type_hash + ";";
-}
-
 dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data) {
   dds::DataWriterQos out;
   fill(out, qos, user_data);

@@ -36,16 +36,4 @@ void WrittenTopics::local_writer_made() const {
   if (callback) callback();
 }
 
-std::string user_data_value(const std::string& user_data, const std::string& key) {
-  std::size_t at = 0;
-  while (at < user_data.size()) {
-    const auto end = std::min(user_data.find(';', at), user_data.size());
-    if (user_data.compare(at, key.size() + 1, key + "=") == 0) {
-      return user_data.substr(at + key.size() + 1, end - at - key.size() - 1);
-    }
-    at = end + 1;
-  }
-  return "";
-}
-
 }  // namespace goalnet::ros::detail

@@ -39,7 +39,4 @@ class WrittenTopics {
   std::size_t count_ = 0;
 };
 
-// The value of `key` in user data such as "typehash=RIHS01_...;"; "" if it is not there.
-std::string user_data_value(const std::string& user_data, const std::string& key);
-
 }  // namespace goalnet::ros::detail

@@ -46,6 +46,71 @@ TEST(ActionGoals, CancelFollowsTheFourRules) {
   EXPECT_EQ(goals.select_for_cancel({}, Time(50)).code, CancelCode::kNone);
 }
 
+// The rules of CancelGoal.srv and rcl's practice, written down a second time and independently: for thousands
+// of random servers and requests both must select the same goals and answer the same code.
+TEST(ActionGoals, CancelEqualsAnIndependentModelOnRandomCases) {
+  using S = GoalState;
+  std::mt19937 random(11);
+  const auto any = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  int cancels = 0, unknown = 0, terminated = 0;
+  for (int round = 0; round < 5000; ++round) {
+    ActionGoals goals(1h, 100);
+    struct Known {
+      int name;
+      std::int64_t accepted;
+      S state;
+    };
+    std::vector<Known> known;
+    const int count = any(8);
+    std::int64_t now = 1;
+    for (int i = 0; i < count; ++i) {
+      now += any(3);
+      const int name = 1 + i;
+      ASSERT_TRUE(goals.accept(id(static_cast<std::uint8_t>(name)), Time(now)));
+      // Walk to a random state on an allowed path.
+      static const std::vector<std::vector<S>> kPaths = {{},
+                                                         {S::kExecuting},
+                                                         {S::kCanceling},
+                                                         {S::kExecuting, S::kCanceling},
+                                                         {S::kExecuting, S::kSucceeded},
+                                                         {S::kExecuting, S::kAborted},
+                                                         {S::kCanceling, S::kCanceled}};
+      const auto& path = kPaths[static_cast<std::size_t>(any(7))];
+      for (const S state : path)
+        ASSERT_TRUE(goals.set(id(static_cast<std::uint8_t>(name)), state, Time(now)));
+      known.push_back({name, now, path.empty() ? S::kAccepted : path.back()});
+    }
+    const int asked = any(11);  // 0: no id; above `count`: an unknown one
+    const std::int64_t stamp = any(2) == 0 ? 0 : 1 + any(20);
+
+    std::vector<int> expected;
+    CancelCode code = CancelCode::kNone;
+    for (const Known& goal : known) {
+      const bool cancelable = goal.state == S::kAccepted || goal.state == S::kExecuting;
+      bool meant = false;
+      if (asked == 0 && stamp == 0) meant = true;                    // all goals
+      if (asked == 0 && stamp != 0) meant = goal.accepted <= stamp;  // all up to a time
+      if (asked != 0 && stamp == 0) meant = goal.name == asked;      // this one
+      if (asked != 0 && stamp != 0) meant = goal.name == asked || goal.accepted <= stamp;
+      if (meant && cancelable) expected.push_back(goal.name);
+    }
+    if (asked != 0 && stamp == 0) {
+      if (asked > count) code = CancelCode::kUnknownGoal;
+      if (asked <= count && expected.empty()) code = CancelCode::kTerminated;
+    }
+    const auto selection =
+        goals.select_for_cancel(asked == 0 ? GoalId{} : id(static_cast<std::uint8_t>(asked)), Time(stamp));
+    ASSERT_EQ(named(selection), expected) << "round " << round;
+    ASSERT_EQ(selection.code, code) << "round " << round;
+    cancels += expected.empty() ? 0 : 1;
+    unknown += code == CancelCode::kUnknownGoal;
+    terminated += code == CancelCode::kTerminated;
+  }
+  EXPECT_GT(cancels, 1000);
+  EXPECT_GT(unknown, 200);
+  EXPECT_GT(terminated, 200);
+}
+
 TEST(ActionGoals, OnlyAllowedChanges) {
   EXPECT_TRUE(allowed(GoalState::kAccepted, GoalState::kExecuting));
   EXPECT_TRUE(allowed(GoalState::kExecuting, GoalState::kCanceling));
@@ -187,6 +252,76 @@ TEST(Action, TwoHundredGoalsWithRandomCancels) {
   EXPECT_EQ(ends[GoalState::kSucceeded] + ends[GoalState::kCanceled], 200);
   EXPECT_GT(ends[GoalState::kCanceled], 20);
   EXPECT_GT(ends[GoalState::kSucceeded], 20);
+}
+
+// Over DDS: what a server answers to a cancel request, where it takes some of the goals and refuses others.
+TEST(Action, CancelAnswersListWhatWasTakenAndRejectWhereNothingWas) {
+  auto context = make_context(kActionDomain);
+  EventLoop loop;
+  Node node(*context, loop, plain("node"));
+  std::vector<std::shared_ptr<GoalHandle<Fibonacci>>> handles;
+  ActionServer<Fibonacci> server(
+      node, "fib",
+      {.on_goal = [](const GoalId&, const auto&) { return GoalResponse::kExecute; },
+       .on_accepted = [&](auto goal) { handles.push_back(std::move(goal)); },
+       .on_cancel = [](auto& goal) { return goal.goal().order() % 2 == 0; }});
+  ActionClient<Fibonacci> client(node, "fib");
+  Client<action_msgs::srv::CancelGoal> cancel(node, "/fib/_action/cancel_goal");
+  std::map<GoalId, std::vector<GoalState>> told;
+  for (int n = 1; n <= 4; ++n) {
+    auto mine = std::make_shared<GoalId>();
+    *mine = client.send(order(n), {.on_response = {},
+                                   .on_feedback = {},
+                                   .on_result = {},
+                                   .on_status = [&told, mine](GoalState s) { told[*mine].push_back(s); }});
+  }
+  ASSERT_TRUE(loop.run_for(2s, [&] { return handles.size() == 4; }));
+  const auto taken = [&](const GoalId& which) {
+    action_msgs::srv::CancelGoal::Request request;
+    request.goal_info().goal_id().uuid(which);
+    const auto answer = cancel.call_and_run(request, 2s).value();
+    std::vector<int> orders;
+    for (const auto& one : answer.goals_canceling()) {
+      for (const auto& handle : handles) {
+        if (handle->id() == one.goal_id().uuid()) orders.push_back(handle->goal().order());
+      }
+    }
+    return std::pair(static_cast<CancelCode>(answer.return_code()), orders);
+  };
+  using testing::ElementsAre;
+  EXPECT_EQ(taken(handles[0]->id()), std::pair(CancelCode::kRejected, std::vector<int>{}));
+  EXPECT_EQ(taken({}), std::pair(CancelCode::kNone, std::vector<int>{2, 4}));
+  EXPECT_EQ(taken(handles[1]->id()), std::pair(CancelCode::kTerminated, std::vector<int>{}))
+      << "is being cancelled";
+  EXPECT_EQ(taken({}), std::pair(CancelCode::kRejected, std::vector<int>{})) << "1 and 3 refuse";
+  ASSERT_TRUE(handles[1]->canceled({}));
+  ASSERT_TRUE(loop.run_for(2s, [&] {
+    const auto& states = told[handles[1]->id()];
+    return !states.empty() && states.back() == GoalState::kCanceled;
+  })) << "the status topic tells the client";
+}
+
+TEST(Action, ResultsAreKeptForTheirTimeAndThenForgotten) {
+  auto context = make_context(kActionDomain);
+  EventLoop loop;
+  Node node(*context, loop, plain("node"));
+  ActionServer<Fibonacci> server(
+      node, "fib",
+      {.on_goal = [](const GoalId&, const auto&) { return GoalResponse::kExecute; },
+       .on_accepted = [](auto goal) { goal->succeed({}); },
+       .on_cancel = {}},
+      {.result_timeout = 1500ms});
+  ActionClient<Fibonacci> client(node, "fib");
+  Client<Fibonacci::GetResult> get_result(node, "/fib/_action/get_result");
+  bool done = false;
+  const GoalId goal =
+      client.send(order(1), {.on_response = {}, .on_feedback = {}, .on_result = [&](auto) { done = true; }});
+  ASSERT_TRUE(loop.run_for(2s, [&] { return done; }));
+  Fibonacci::GetResult::Request request;
+  request.goal_id().uuid(goal);
+  EXPECT_EQ(get_result.call_and_run(request, 2s)->status(), 4) << "kept";
+  loop.run_for(3s);
+  EXPECT_EQ(get_result.call_and_run(request, 2s)->status(), 0) << "forgotten: unknown";
 }
 
 TEST(Action, ADroppedHandleAbortsItsGoal) {

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "components/ros/detail/graph.h"
+#include "components/ros/detail/graph_peers.h"
 #include "components/ros/detail/participant.h"
 #include "components/ros/service.h"
 #include "std_msgs/msg/String.h"
@@ -179,6 +180,93 @@ TEST(Graph, HostileGraphMessagesAreRefused) {
   EXPECT_FALSE(detail::decode_graph(with(40, 0x10000000), Distro::kJazzy)) << "readers without end";
 }
 
+// The same node in both layouts, written out byte by byte: participant, one node with a reader and two
+// writers.
+TEST(Graph, GoldenBytesOfBothLayouts) {
+  const auto gid = [](std::uint8_t number, std::uint8_t kind) {
+    return Gid{0x01, 0x0f, 0xaa, 0xbb, 0xcc, 0xdd, 0xee, 0xff, 0, 0, 0, 0, 0, 0, number, kind};
+  };
+  detail::Graph graph(gid(0x01, 0xc1));
+  graph.add_node("/kitchen", "robot");
+  ASSERT_TRUE(graph.add("/kitchen/robot", gid(0x03, 0x03), true));
+  ASSERT_TRUE(graph.add("/kitchen/robot", gid(0x04, 0x04), false));
+  ASSERT_TRUE(graph.add("/kitchen/robot", gid(0x05, 0x03), true));
+  for (const Distro distro : {Distro::kHumble, Distro::kJazzy}) {
+    const std::string rest = distro == Distro::kHumble ? "0000000000000000" : "";
+    const std::string expected =
+        "00010000"  // plain CDR, little endian
+        "010faabbccddeeff00000000000001c1" +
+        rest +      // the participant
+        "01000000"  // one node
+        "090000002f6b69746368656e00"
+        "000000"  // "/kitchen", padding
+        "06000000726f626f7400"
+        "0000"  // "robot", padding
+        "01000000"
+        "010faabbccddeeff0000000000000404" +
+        rest +
+        "02000000"
+        "010faabbccddeeff0000000000000303" +
+        rest + "010faabbccddeeff0000000000000503" + rest;
+    std::string ours;
+    for (const std::uint8_t byte : graph.encode(distro)) {
+      char digits[3];
+      std::snprintf(digits, sizeof digits, "%02x", byte);
+      ours += digits;
+    }
+    EXPECT_EQ(ours, expected) << to_string(distro);
+  }
+}
+
+TEST(UserData, TypeHashesAreFoundAmongOtherPairs) {
+  const auto hash_in = [](const std::string& text) {
+    return detail::type_hash_of({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  };
+  const std::string hash = idl::find_type("std_msgs/msg/String")->hash;
+  EXPECT_EQ(hash_in(detail::endpoint_user_data(Distro::kJazzy, hash)), hash);
+  EXPECT_EQ(hash_in("serviceid= 1.10.6a.1;typehash=" + hash + ";"), hash) << "as rmw_cyclonedds writes it";
+  EXPECT_EQ(hash_in(""), "");
+  EXPECT_EQ(hash_in("typehash=" + hash), "") << "not ended";
+  EXPECT_EQ(hash_in("typehash=" + hash + "0;"), "");
+  EXPECT_EQ(hash_in("typehash=RIHS01_xyz;typehash=" + hash + ";"), hash) << "the malformed one is skipped";
+  EXPECT_EQ(detail::endpoint_user_data(Distro::kHumble, hash), "");
+}
+
+TEST(GraphPeers, RememberForgetAndReportOnce) {
+  detail::Graph other(Gid{1, 2, 3});
+  other.add_node("/", "a");
+  other.add_node("/kitchen", "b");
+  detail::GraphPeers peers(Distro::kJazzy);
+  EXPECT_FALSE(peers.take(other.encode(Distro::kJazzy)));
+  EXPECT_THAT(peers.names(), testing::ElementsAre("/a", "/kitchen/b"));
+  peers.add_own("/a");
+  const auto clash = peers.take(other.encode(Distro::kJazzy));
+  ASSERT_TRUE(clash);
+  EXPECT_THAT(*clash, HasSubstr("a node called /a"));
+  EXPECT_FALSE(peers.take(other.encode(Distro::kJazzy))) << "said once";
+  // Another distribution's layout, both ways, is recognised; rubbish too; each is said once.
+  const auto layout = peers.take(other.encode(Distro::kHumble));
+  ASSERT_TRUE(layout);
+  EXPECT_THAT(*layout, HasSubstr("humble"));
+  EXPECT_FALSE(peers.take(other.encode(Distro::kHumble)));
+  detail::GraphPeers humble(Distro::kHumble);
+  EXPECT_THAT(humble.take(other.encode(Distro::kJazzy)).value_or(""), HasSubstr("jazzy"));
+  const std::vector<std::uint8_t> rubbish = {0, 1, 0, 0, 5, 5, 5};
+  EXPECT_THAT(peers.take(rubbish).value_or(""), HasSubstr("malformed"));
+  EXPECT_FALSE(peers.take(rubbish));
+  peers.forget(Gid{1, 2, 3});
+  EXPECT_THAT(peers.names(), testing::IsEmpty());
+  // A hostile number of participants stays bounded.
+  for (int i = 0; i < 3000; ++i) {
+    Gid gid{};
+    std::memcpy(gid.data(), &i, sizeof i);
+    detail::Graph one(gid);
+    one.add_node("/", "n");
+    peers.take(one.encode(Distro::kJazzy));
+  }
+  EXPECT_LE(peers.names().size(), 1000u);
+}
+
 struct Environment {
   Environment(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
   ~Environment() { unsetenv(name_); }
@@ -227,17 +315,6 @@ TEST(Settings, LocalhostParticipantsFindEachOther) {
   auto out = a.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
   auto in = b.subscribe<std_msgs::msg::String>("/chatter", Qos::standard(), [](const auto&) {});
   EXPECT_TRUE(out->wait_for_subscribers(1, 3s));
-}
-
-TEST(Settings, ManyTimesUpAndDown) {
-  for (int i = 0; i < 50; ++i) {
-    auto context = make_context(kGraphDomain);
-    EventLoop loop;
-    Node node(*context, loop, plain("robot"));
-    auto out = node.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
-    out->publish({});
-    loop.run_pending();
-  }
 }
 
 }  // namespace

@@ -201,7 +201,8 @@ TEST_F(NodeTest, ParameterServices) {
 
   const auto all = list.call_and_run({}, 2s);
   ASSERT_TRUE(all);
-  EXPECT_THAT(all->result().names(), ElementsAre("depth", "limits.force", "limits.speed", "use_sim_time"));
+  EXPECT_THAT(all->result().names(), ElementsAre("depth", "limits.force", "limits.speed",
+                                                 "start_type_description_service", "use_sim_time"));
   EXPECT_THAT(all->result().prefixes(), ElementsAre("limits"));
   srv::ListParameters::Request below;
   below.prefixes({"limits"});

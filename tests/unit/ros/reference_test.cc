@@ -2,6 +2,7 @@
 // absent).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <openssl/evp.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +11,7 @@
 
 #include "components/ros/detail/graph.h"
 #include "components/ros/detail/message_type.h"
+#include "components/ros/type_messages.h"
 #include "idl/type_support.h"
 
 namespace goalnet::ros {
@@ -82,6 +84,57 @@ TEST_F(Reference, TypeHashesEqualJazzys) {
   for (const auto& type : idl::all_types()) {
     if (!hashes.contains(type.name)) continue;
     EXPECT_EQ(hashes[type.name], type.hash) << type.name;
+    ++compared;
+  }
+  EXPECT_GE(compared, 151);
+}
+
+// What ~/get_type_description answers, hashed as REP-2011 says, gives the type's hash: nothing is missing in
+// it.
+std::string hash_of(const type_description_interfaces::msg::TypeDescription& message) {
+  const auto individual = [](const type_description_interfaces::msg::IndividualTypeDescription& type) {
+    std::string text = "{\"type_name\": \"" + type.type_name().to_string() + "\", \"fields\": [";
+    for (const auto& field : type.fields()) {
+      if (text.back() != '[') text += ", ";
+      text += "{\"name\": \"" + field.name() +
+              "\", \"type\": {\"type_id\": " + std::to_string(field.type().type_id()) +
+              ", \"capacity\": " + std::to_string(field.type().capacity()) +
+              ", \"string_capacity\": " + std::to_string(field.type().string_capacity()) +
+              ", \"nested_type_name\": \"" + field.type().nested_type_name().to_string() + "\"}}";
+    }
+    return text + "]}";
+  };
+  std::string text = "{\"type_description\": " + individual(message.type_description()) +
+                     ", \"referenced_type_descriptions\": [";
+  for (const auto& part : message.referenced_type_descriptions()) {
+    if (text.back() != '[') text += ", ";
+    text += individual(part);
+  }
+  text += "]}";
+  unsigned char digest[32];
+  EVP_Digest(text.data(), text.size(), digest, nullptr, EVP_sha256(), nullptr);
+  std::string hash = "RIHS01_";
+  for (const unsigned char byte : digest) {
+    char digits[3];
+    std::snprintf(digits, sizeof digits, "%02x", byte);
+    hash += digits;
+  }
+  return hash;
+}
+
+TEST(TypeHash, FollowsFromWhatGetTypeDescriptionAnswers) {
+  int compared = 0;
+  for (const auto& type : idl::all_types()) {
+    type_description_interfaces::srv::GetTypeDescription_Request request;
+    type_description_interfaces::srv::GetTypeDescription_Response response;
+    request.type_name(type.name);
+    request.type_hash(type.hash);
+    request.include_type_sources(true);
+    describe_type(request, response);
+    ASSERT_TRUE(response.successful()) << response.failure_reason();
+    EXPECT_EQ(hash_of(response.type_description()), type.hash) << type.name;
+    EXPECT_EQ(response.type_sources().size(),
+              1 + response.type_description().referenced_type_descriptions().size());
     ++compared;
   }
   EXPECT_GE(compared, 151);

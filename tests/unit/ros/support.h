@@ -20,6 +20,12 @@ inline const int kLifecycleDomain = test_domain(124);
 inline const int kGraphDomain = test_domain(125);
 inline const int kBagDomain = test_domain(126);
 
+// Cyclone DDS with a port for discovery and another for data, as it has on interfaces without multicast: what
+// provokes an abort of Fast DDS 2.9 (tests/interoperability/abort_test.cc).
+inline constexpr const char* kCycloneWithSeparatePorts =
+    "<CycloneDDS><Domain><Discovery><ParticipantIndex>auto</ParticipantIndex>"
+    "<MaxAutoParticipantIndex>60</MaxAutoParticipantIndex></Discovery></Domain></CycloneDDS>";
+
 // A node that logs to /rosout only.
 inline NodeOptions plain(std::string name) {
   NodeOptions options;
