@@ -1,6 +1,7 @@
-// plain_writer default|ours DOMAIN SECONDS: Fast DDS without components/ros, writing and reading the topics
-// that cyclone_peer churns on. `default` has Fast DDS's own participant configuration, on UDP so that its
-// death leaves no shared memory behind; `ours` has that of components/ros.
+// plain_writer default|ours DOMAIN SECONDS: Fast DDS without components/ros, writing topics that cyclone_peer
+// churns on. `default` has Fast DDS's own participant configuration, on UDP so that its death leaves no
+// shared memory behind; `ours` has that of components/ros. It reads nothing: a reader of its own would, if it
+// is quick, open the address whose being unopened ends the process.
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -34,12 +35,10 @@ int run(const std::string& configuration, int domain, double seconds) {
   const auto& support = idl::type_support<std_msgs::msg::String>();
   dds::TypeSupport(new detail::MessageType(support.dds_name)).register_type(participant);
   auto* publisher = participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
-  auto* subscriber = participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);
   std::vector<dds::DataWriter*> writers;
   for (const char* name : {"rt/instruction", "rt/instruction_status_text", "rt/executor_command"}) {
     auto* topic = participant->create_topic(name, support.dds_name, dds::TOPIC_QOS_DEFAULT);
     writers.push_back(publisher->create_datawriter(topic, detail::writer_qos(Qos::latched(), "")));
-    subscriber->create_datareader(topic, detail::reader_qos(Qos::standard(), ""));
   }
   std_msgs::msg::String message;
   message.data("hello");

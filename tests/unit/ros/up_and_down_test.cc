@@ -1,5 +1,5 @@
 // A thousand times up and down: context, node, topics, service and action, each round used once and
-// destroyed. GOALNET_UP_AND_DOWN_ROUNDS sets the number of rounds; the default keeps the suite quick.
+// destroyed. GOALNET_UP_AND_DOWN_ROUNDS sets another number of rounds.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -84,7 +84,7 @@ TEST(UpAndDown, SharedMemoryLeavesNoFile) {
 
 TEST(UpAndDown, LeavesNothingBehind) {
   const char* text = std::getenv("GOALNET_UP_AND_DOWN_ROUNDS");
-  const int rounds = text == nullptr ? 150 : std::atoi(text);
+  const int rounds = text == nullptr ? 1000 : std::atoi(text);
   const int domain = test_domain(117);
   for (int i = 0; i < kWarmUp; ++i) one_round(domain);
   const Holdings before = now();
