@@ -79,7 +79,7 @@ void Logger::set_sink(Sink sink) {
   impl_->sink = std::move(sink);
 }
 
-void Logger::write(LogLevel level, const std::source_location& where, fmt::string_view format,
+void Logger::write(LogLevel level, const SourceLocation& where, fmt::string_view format,
                    fmt::format_args args) {
   LogRecord record{level, name_, {}, where};
   try {

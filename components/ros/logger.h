@@ -6,14 +6,26 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <version>
 
 #include "components/core/outcome.h"
 
+#ifdef __cpp_lib_source_location
+#include <source_location>
+#else
+#include <experimental/source_location>  // clang before 16, with which the fuzzers are built
+#endif
+
 namespace goalnet::ros {
+
+#ifdef __cpp_lib_source_location
+using SourceLocation = std::source_location;
+#else
+using SourceLocation = std::experimental::source_location;
+#endif
 
 enum class LogLevel : std::uint8_t {
   kDebug = 10,
@@ -29,16 +41,16 @@ struct LogRecord {
   LogLevel level = LogLevel::kInfo;
   std::string name;  // of the logger
   std::string text;
-  std::source_location where;
+  SourceLocation where;
 };
 
 // A format string, checked by the compiler, that remembers where it was written.
 template <class... Args>
 struct LogFormat {
   fmt::format_string<Args...> text;
-  std::source_location where;
+  SourceLocation where;
   template <class Text>
-  consteval LogFormat(const Text& format, std::source_location location = std::source_location::current())
+  consteval LogFormat(const Text& format, SourceLocation location = SourceLocation::current())
       : text(format), where(location) {}
 };
 
@@ -79,10 +91,10 @@ class Logger {
 
  private:
   template <class Format, class... Args>
-  void log(LogLevel level, const std::source_location& where, const Format& format, const Args&... args) {
+  void log(LogLevel level, const SourceLocation& where, const Format& format, const Args&... args) {
     if (level >= this->level()) write(level, where, format, fmt::make_format_args(args...));
   }
-  void write(LogLevel level, const std::source_location& where, fmt::string_view format,
+  void write(LogLevel level, const SourceLocation& where, fmt::string_view format,
              fmt::format_args args);
 
   struct Impl;
