@@ -204,7 +204,7 @@ TEST_P(Hostile, ComponentLivesAnswersAndHoldsItsMemory) {
   const std::string name = GetParam();
   Process component({testing_support::program("goalnet"), "component", name},
                     {{"ROS_DOMAIN_ID", std::to_string(kDomain)}});
-  ASSERT_TRUE(component.wait_for_text(name + " is active", 20s)) << component.err();
+  ASSERT_TRUE(component.wait_for_text(name + " is up", 20s)) << component.err();
   Attacker attacker(kDomain);
   attacker.aim_at("/" + name);
   ASSERT_FALSE(HasFatalFailure());
