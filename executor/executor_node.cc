@@ -16,7 +16,8 @@ Expected<void> ExecutorNode::on_configure() {
   auto params = resolve(declared_);
   if (!params) return tl::unexpected<Error>(std::move(params.error()));
   // Limits that the core refuses are told now, not at activation.
-  if (auto tried = TrajectoryExecutor::create(params->core); !tried) return tl::unexpected<Error>(tried.error());
+  if (auto tried = TrajectoryExecutor::create(params->core); !tried)
+    return tl::unexpected<Error>(tried.error());
   params_ = std::move(*params);
   return {};
 }
@@ -56,7 +57,8 @@ void ExecutorNode::on_diagnose(ros::DiagnosticReport& report) {
   report.add("tracking error", std::to_string(status.tracking_error) + " (" + status.tracking_joint + ")");
   report.add("cycles", std::to_string(status.cycles));
   if (status.state == ExecutorState::kFault)
-    report.summary(ros::DiagnosticLevel::kError, "fault: " + status.message + "; the command reset leaves it");
+    report.summary(ros::DiagnosticLevel::kError,
+                   "fault: " + status.message + "; the command reset leaves it");
 }
 
 ExecutorNode::Hook ExecutorNode::lockstep_hook() {

@@ -62,7 +62,8 @@ bool ExecutorSession::wait_for_standstill() {
     if (std::chrono::steady_clock::now() - start > kLongestStop) executor_.emergency_stop();
     pause(std::chrono::milliseconds(2));
   }
-  if (executor_.status().outcome == Outcome::kEmergencyStop) pause(kHardStop);  // FAULT begins before it stands
+  if (executor_.status().outcome == Outcome::kEmergencyStop)
+    pause(kHardStop);  // FAULT begins before it stands
   pause(std::chrono::nanoseconds(std::llround(2e9 * params_.command_period)));
   joint_states_.reset();
   loop_.reset();  // the last command, standing, has been sent

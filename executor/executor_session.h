@@ -34,8 +34,8 @@ class ExecutorSession {
   ExecutorSession(ros::Node& node, const NodeParams& params, TrajectoryExecutor& executor);
   ~ExecutorSession();
 
-  // Asks for a smooth stop and says so. On the wall clock it waits until the robot stands (5 s at most, then it brakes
-  // hard); in lockstep the robot comes to rest while the simulator goes on.
+  // Asks for a smooth stop and says so. On the wall clock it waits until the robot stands (5 s at most, then
+  // it brakes hard); in lockstep the robot comes to rest while the simulator goes on.
   void leave();
 
  private:

@@ -204,12 +204,13 @@ void SimulatorNode::describe(ros::ParameterSet& set, Params& params) {
   set.text("scene", params.scene, "room that is simulated", "a name in config/scenes or a file");
   set.text("robot", params.robot, "robot that is simulated", "a name in config/robots or a file");
   set.whole("seed", params.seed, "varies where objects stand; 0: as the scene says", 0, 1e15);
-  set.flag("lockstep", params.lockstep, "the caller ticks and controls; no wall clock, no joint_commands").settable =
-      ros::Settable::kAtStart;
-  set.number("real_time_factor", params.real_time_factor, "simulated seconds per real second, if not in lockstep", 0.01,
-             100);
-  set.number("physics_step", params.physics_step, "one step of the physics; must divide 0.01 s [s]", 0.0005, 0.01).check =
-      check_step;
+  set.flag("lockstep", params.lockstep, "the caller ticks and controls; no wall clock, no joint_commands")
+      .settable = ros::Settable::kAtStart;
+  set.number("real_time_factor", params.real_time_factor,
+             "simulated seconds per real second, if not in lockstep", 0.01, 100);
+  set.number("physics_step", params.physics_step, "one step of the physics; must divide 0.01 s [s]", 0.0005,
+             0.01)
+      .check = check_step;
   set.number("pose_rate", params.pose_rate, "how often object_poses are published [Hz]", 1, 100);
   set.number("tf_rate", params.tf_rate, "how often /tf is published [Hz]", 1, 100);
 }

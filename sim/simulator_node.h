@@ -1,11 +1,11 @@
 // The simulator on DDS: publishes what sensors and drivers of a robot would, takes joint commands.
 //
-// publishes  clock (relative: two robots on one network have a time each), joint_states (robot and fixtures), object_poses, object_states (latched), /tf,
-// /tf_static (latched),
+// publishes  clock (relative: two robots on one network have a time each), joint_states (robot and fixtures),
+// object_poses, object_states (latched), /tf, /tf_static (latched),
 //            robot_description (latched)
 // subscribes joint_commands (only when not in lockstep)
-// Deactivated, simulated time stands still and nothing is published; activated again, it goes on from there. Cleaned up
-// and configured again, the room is as at the start.
+// Deactivated, simulated time stands still and nothing is published; activated again, it goes on from there.
+// Cleaned up and configured again, the room is as at the start.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class SimulatorNode : public ros::ManagedComponent {
     std::uint64_t seed = 0;
     bool lockstep = false;
     double real_time_factor = 1.0;
-    double physics_step = 0.002;  // [s]
+    double physics_step = 0.002;              // [s]
     double pose_rate = 50.0, tf_rate = 20.0;  // [Hz]
   };
   static void describe(ros::ParameterSet& set, Params& params);
@@ -42,15 +42,15 @@ class SimulatorNode : public ros::ManagedComponent {
   static constexpr std::int64_t kTickNs = 10'000'000;
   static constexpr std::int64_t kCycleNs = 1'000'000;
 
-  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest on bad parameters, scenes
-  // and robots.
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest on bad
+  // parameters, scenes and robots.
   static Expected<std::unique_ptr<SimulatorNode>> create(ros::Node& node);
   ~SimulatorNode() override;
 
   // Lockstep: who commands the joints. Without one the robot holds still.
   void set_controller(Controller controller);
-  // Advances by 10 ms and publishes. In lockstep the caller calls this; else a wall timer does. Nothing happens while not
-  // active.
+  // Advances by 10 ms and publishes. In lockstep the caller calls this; else a wall timer does. Nothing
+  // happens while not active.
   void tick();
   std::int64_t time_ns() const;  // 0 while unconfigured
 

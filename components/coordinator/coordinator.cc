@@ -130,7 +130,8 @@ bool Coordinator::cancel_one(std::uint64_t id, TimeNs now, const std::string& re
 void Coordinator::world_lost(TimeNs now, const std::string& reason) {
   if (!task_) return;
   if (report_.stage != Stage::kStopping) stop(Outcome::kWorldStale, reason, now);
-  if (task_) finish(task_->stop_outcome, task_->stop_message, now);  // time stands still: nothing would confirm it
+  if (task_)
+    finish(task_->stop_outcome, task_->stop_message, now);  // time stands still: nothing would confirm it
 }
 
 void Coordinator::abandon(TimeNs now, const std::string& reason) {
@@ -160,7 +161,8 @@ void Coordinator::on_world(WorldState world, TimeNs stamp, TimeNs now) {
   world_stamp_ = stamp;
   has_world_ = true;
   if (!task_) return;
-  if (clock_restarted) return stop(Outcome::kWorldStale, "time jumped back; was the simulator restarted?", now);
+  if (clock_restarted)
+    return stop(Outcome::kWorldStale, "time jumped back; was the simulator restarted?", now);
   for (const Predicate& fact : world_.facts) {
     if (fact.relation == "Near") task_->visited.insert(fact);
   }

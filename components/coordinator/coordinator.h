@@ -65,7 +65,8 @@ struct ActionReport {
 class Coordinator {
  public:
   // `model` and `port` must outlive the coordinator. Ids count from `first_id`.
-  Coordinator(const CoordinatorParams& params, const ActionModel& model, Port& port, std::uint64_t first_id = 1);
+  Coordinator(const CoordinatorParams& params, const ActionModel& model, Port& port,
+              std::uint64_t first_id = 1);
 
   // Starts (or queues) an instruction; max_steps 0 means the parameter's. Returns its id. Refusals
   // (kInvalidRequest, kBusy) are returned and also reported under an id of their own.
@@ -80,8 +81,8 @@ class Coordinator {
   // The same for one instruction, running or waiting. False if it is neither.
   bool cancel_one(std::uint64_t id, TimeNs now, const std::string& reason = "cancelled on request");
 
-  // Stops the running instruction at once: manipulation is told, but its word that the robot stands is not waited for.
-  // For a coordinator that is about to go. Waiting ones are forgotten.
+  // Stops the running instruction at once: manipulation is told, but its word that the robot stands is not
+  // waited for. For a coordinator that is about to go. Waiting ones are forgotten.
   void abandon(TimeNs now, const std::string& reason);
 
   // The world can no longer be known, for a reason that no timeout would show. Ends what runs as kWorldStale.

@@ -237,7 +237,8 @@ void Coordinator::finish(Outcome outcome, const std::string& message, TimeNs now
     report_.facts_added = difference(world_.facts, task_->first_facts);
     report_.facts_removed = difference(task_->first_facts, world_.facts);
   }
-  if (report_.stage == Stage::kInferring || report_.stage == Stage::kPlanning) port_.forget_request(task_->id);
+  if (report_.stage == Stage::kInferring || report_.stage == Stage::kPlanning)
+    port_.forget_request(task_->id);
   report_.stage = Stage::kFinished;
   report_.current_action = Action{};
   report_.finished = true;

@@ -18,8 +18,8 @@ class CoordinatorNode : public ros::ManagedComponent {
   using Params = DeclaredParams;
   static void describe(ros::ParameterSet& set, Params& params);  // coordinator_parameters.cc
 
-  // As managed_component.h: active already where autostart says so. Errors: kInvalidRequest for parameters or a domain
-  // file that make no sense.
+  // As managed_component.h: active already where autostart says so. Errors: kInvalidRequest for parameters or
+  // a domain file that make no sense.
   static Expected<std::unique_ptr<CoordinatorNode>> create(ros::Node& node);
 
   // Stops what runs, as if asked through DDS.
@@ -37,7 +37,7 @@ class CoordinatorNode : public ros::ManagedComponent {
   Expected<void> on_cleanup() override;
 
   Params params_;
-  std::uint64_t last_id_ = 0;  // of earlier sessions
+  std::uint64_t last_id_ = 0;                    // of earlier sessions
   std::optional<PlannerActionModel> model_;      // from configure on
   std::unique_ptr<CoordinatorSession> session_;  // while active
 };

@@ -21,9 +21,11 @@ constexpr std::chrono::milliseconds kLastWords{50};
 
 }  // namespace
 
-CoordinatorSession::CoordinatorSession(ros::Node& node, const CoordinatorParams& params, const ActionModel& model,
-                                       std::uint64_t first_id)
-    : node_(node), coordinator_(params, model, *this, first_id), standstill_timeout_(params.standstill_timeout) {
+CoordinatorSession::CoordinatorSession(ros::Node& node, const CoordinatorParams& params,
+                                       const ActionModel& model, std::uint64_t first_id)
+    : node_(node),
+      coordinator_(params, model, *this, first_id),
+      standstill_timeout_(params.standstill_timeout) {
   open_topics();
 }
 
@@ -45,9 +47,11 @@ void CoordinatorSession::open_topics() {
   world_state_ = subscribe("world_state", ros::Qos::latched(), &CoordinatorSession::on_world_state);
   cancel_ = node_.advertise<CancelInstruction>("cancel_instruction");
   cancel_asked_ = subscribe("cancel_instruction", standard, &CoordinatorSession::on_cancel);
-  action_ = std::make_unique<FollowInstruction>(node_, coordinator_, [this](std::uint64_t id) { forget_request(id); });
+  action_ = std::make_unique<FollowInstruction>(node_, coordinator_,
+                                                [this](std::uint64_t id) { forget_request(id); });
   timer_ = node_.create_timer(kTick, [this] { coordinator_.tick(now()); });
-  wall_timer_ = ros::Timer::create(node_.loop(), wall_clock_, std::chrono::seconds(1), [this] { watch_time(); });
+  wall_timer_ =
+      ros::Timer::create(node_.loop(), wall_clock_, std::chrono::seconds(1), [this] { watch_time(); });
 }
 
 void CoordinatorSession::leave() {
@@ -57,8 +61,8 @@ void CoordinatorSession::leave() {
   action_->wait_for_acknowledgments(kLastWords);
 }
 
-// When a simulator dies, its time stands still, and no timeout would ever come. Counted, not measured: while another
-// component computes in the same thread, the count stands still, too.
+// When a simulator dies, its time stands still, and no timeout would ever come. Counted, not measured: while
+// another component computes in the same thread, the count stands still, too.
 void CoordinatorSession::watch_time() {
   const TimeNs time = now();
   seconds_still_ = time == last_time_ ? seconds_still_ + 1 : 0;
@@ -76,7 +80,7 @@ bool CoordinatorSession::connected() const {
 }
 
 void CoordinatorSession::request_goal(std::uint64_t id, std::uint32_t step, const std::string& instruction,
-                                   TimeNs world_stamp) {
+                                      TimeNs world_stamp) {
   StepRequest message;
   message.header().stamp(messages::to_stamp(world_stamp));
   message.instruction_id(id);
@@ -86,7 +90,7 @@ void CoordinatorSession::request_goal(std::uint64_t id, std::uint32_t step, cons
 }
 
 void CoordinatorSession::request_plan(std::uint64_t id, std::uint32_t step, const std::string& instruction,
-                                   const Goal& goal) {
+                                      const Goal& goal) {
   if (!coordinator_.last_difference().empty())
     node_.log().info("new plan: {}", coordinator_.last_difference());
   GoalPredicates message;

@@ -1,5 +1,5 @@
-// The coordinator on DDS while it is active: topics in, topics out, and a timer for what does not come. Logic:
-// coordinator.h.
+// The coordinator on DDS while it is active: topics in, topics out, and a timer for what does not come.
+// Logic: coordinator.h.
 #pragma once
 
 #include <memory>
@@ -30,12 +30,12 @@ class CoordinatorSession : private Port {
   // Stops what runs, as if asked through DDS.
   void cancel(const std::string& reason);
 
-  // Stops what runs and ends it at once, without waiting until manipulation says that the robot stands; then waits a
-  // moment until all have been told.
+  // Stops what runs and ends it at once, without waiting until manipulation says that the robot stands; then
+  // waits a moment until all have been told.
   void leave();
 
-  // Whether all whose answers are needed are there; for a launcher that wants them in place before it gives an
-  // instruction.
+  // Whether all whose answers are needed are there; for a launcher that wants them in place before it gives
+  // an instruction.
   bool connected() const;
 
   std::uint64_t last_id() const { return coordinator_.last_id(); }
@@ -82,7 +82,7 @@ class CoordinatorSession : private Port {
   std::shared_ptr<ros::Timer> timer_;
   ros::Clock wall_clock_;
   std::shared_ptr<ros::Timer> wall_timer_;
-  TimeNs last_time_ = 0;   // of the node's clock, seen by wall_timer_
+  TimeNs last_time_ = 0;  // of the node's clock, seen by wall_timer_
   const double standstill_timeout_;
   int seconds_still_ = 0;  // for which that has not moved
   std::unique_ptr<FollowInstruction> action_;

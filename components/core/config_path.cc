@@ -7,7 +7,8 @@
 namespace goalnet {
 
 std::string config_folder() {
-  if (const char* folder = std::getenv("GOALNET_CONFIG_DIR"); folder != nullptr && *folder != '\0') return folder;
+  if (const char* folder = std::getenv("GOALNET_CONFIG_DIR"); folder != nullptr && *folder != '\0')
+    return folder;
   std::error_code ignored;
   if (std::filesystem::is_directory("config/scenes", ignored)) return "config";
   return GOALNET_CONFIG_FOLDER;

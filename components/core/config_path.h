@@ -6,14 +6,15 @@
 
 namespace goalnet {
 
-// The folder `config`: the environment variable GOALNET_CONFIG_DIR, else ./config if it is ours (has scenes/), else the
-// one this program was built with.
+// The folder `config`: the environment variable GOALNET_CONFIG_DIR, else ./config if it is ours (has
+// scenes/), else the one this program was built with.
 std::string config_folder();
 
 // config_path("domains/household.pddl") is that file in the folder above.
 std::string config_path(std::string_view relative);
 
-// config_file("domains", "household", ".pddl") is the same file; a name with a slash or that ending is a path already.
+// config_file("domains", "household", ".pddl") is the same file; a name with a slash or that ending is a path
+// already.
 std::string config_file(std::string_view folder, std::string_view name_or_path, std::string_view ending);
 
 }  // namespace goalnet

@@ -29,8 +29,8 @@ class GoalnetNode : public ros::ManagedComponent {
   };
   static void describe(ros::ParameterSet& set, Params& params);
 
-  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where the model cannot
-  // be loaded.
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where the
+  // model cannot be loaded.
   static Expected<std::unique_ptr<GoalnetNode>> create(ros::Node& node);
 
  private:

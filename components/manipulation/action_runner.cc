@@ -9,8 +9,8 @@ namespace {
 constexpr std::int64_t kMillisecond = 1'000'000;
 // The executor settles for half a second at most after a trajectory; silence well beyond that is a fault.
 constexpr std::int64_t kExecutorSlack = 4'000 * kMillisecond;
-// A motion that the executor has not said a word about after this time is sent again: an executor that was just started
-// may not have been found yet. It takes one of the same stamp only once.
+// A motion that the executor has not said a word about after this time is sent again: an executor that was
+// just started may not have been found yet. It takes one of the same stamp only once.
 constexpr std::int64_t kSendAgain = 500 * kMillisecond;
 
 // Adds the wall time of a scope to a counter, for reports.
@@ -77,7 +77,8 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
     return orders;
   }
   if (state_ == State::kMoving) watch_motion(status);
-  const bool unheard = status.trajectory_stamp_ns != sent_.stamp_ns && status.rejected_stamp_ns != sent_.stamp_ns;
+  const bool unheard =
+      status.trajectory_stamp_ns != sent_.stamp_ns && status.rejected_stamp_ns != sent_.stamp_ns;
   if (state_ == State::kMoving && unheard && now_ns_ - sent_again_at_ns_ > kSendAgain) {
     sent_again_at_ns_ = now_ns_;
     orders.send = sent_;

@@ -17,7 +17,9 @@ Expected<std::unique_ptr<ManipulationNode>> ManipulationNode::create(ros::Node& 
   return ros::started(std::unique_ptr<ManipulationNode>(new ManipulationNode(node)));
 }
 
-ManipulationNode::ManipulationNode(ros::Node& node) : ManagedComponent(node) { describe(parameters_, params_); }
+ManipulationNode::ManipulationNode(ros::Node& node) : ManagedComponent(node) {
+  describe(parameters_, params_);
+}
 
 void ManipulationNode::interrupt() {
   const std::lock_guard lock(session_mutex_);

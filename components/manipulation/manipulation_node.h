@@ -1,4 +1,5 @@
-// Manipulation as a managed ROS 2 node: symbolic actions become trajectories. What it hears and says: manipulation_session.h.
+// Manipulation as a managed ROS 2 node: symbolic actions become trajectories. What it hears and says:
+// manipulation_session.h.
 #pragma once
 
 #include <memory>
@@ -20,8 +21,8 @@ class ManipulationNode : public ros::ManagedComponent {
   };
   static void describe(ros::ParameterSet& set, Params& params);
 
-  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is wrong
-  // or a file cannot be loaded.
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a
+  // parameter is wrong or a file cannot be loaded.
   static Expected<std::unique_ptr<ManipulationNode>> create(ros::Node& node);
 
   // From any thread, while active: ends motion planning that runs, with kCancelled.

@@ -59,7 +59,7 @@ class ManipulationSession {
   Perception perception_;
   executor::ExecutorStatus executor_;
   bool abandoned_ = false;  // nobody is there any more who could want current_ done
-  Error fault_;  // why the executor is in its state FAULT
+  Error fault_;             // why the executor is in its state FAULT
   std::atomic<bool> interrupted_{false};
   std::atomic<std::uint64_t> instruction_{0};  // that current_ belongs to
 

@@ -77,8 +77,8 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
 
 namespace {
 
-// Whether a robot that stands there is near the fixture and has it before itself, a little more strictly than the world
-// model judges (0.95 m, 1.4 rad): within an arm's reach is not enough.
+// Whether a robot that stands there is near the fixture and has it before itself, a little more strictly than
+// the world model judges (0.95 m, 1.4 rad): within an arm's reach is not enough.
 bool stands_before(const Stand& stand, const scene::Fixture& fixture) {
   const scene::Bounds bounds = scene::bounds(fixture.shapes);
   const Eigen::Vector3d here(stand.x, stand.y, 0.0);

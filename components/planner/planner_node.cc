@@ -16,10 +16,11 @@ using goalnet_msgs::msg::GoalPredicates;
 void PlannerNode::describe(ros::ParameterSet& set, Params& params) {
   set.text("domain", params.domain, "PDDL domain to plan with", "a name in config/domains or a file");
   set.whole("node_limit", params.node_limit,
-            "states the optimal search may expand before a quicker, not optimal one takes over; 0: no limit", 0.0, 1e12)
+            "states the optimal search may expand before a quicker, not optimal one takes over; 0: no limit",
+            0.0, 1e12)
       .settable = ros::Settable::kAnyTime;
-  set.number("time_limit", params.time_limit, "wall-clock time for one plan [s]; 0: no limit", 0.0, 1e6).settable =
-      ros::Settable::kAnyTime;
+  set.number("time_limit", params.time_limit, "wall-clock time for one plan [s]; 0: no limit", 0.0, 1e6)
+      .settable = ros::Settable::kAnyTime;
 }
 
 Expected<std::unique_ptr<PlannerNode>> PlannerNode::create(ros::Node& node) {
@@ -46,7 +47,8 @@ Expected<void> PlannerNode::on_activate() {
   // A search keeps the event loop busy: a cancel must reach it from outside.
   cancel_ = node_.subscribe<goalnet_msgs::msg::CancelInstruction>(
       "cancel_instruction", ros::Qos::standard(),
-      [this](const goalnet_msgs::msg::CancelInstruction& message) { on_cancel(message); }, {.immediate = true});
+      [this](const goalnet_msgs::msg::CancelInstruction& message) { on_cancel(message); },
+      {.immediate = true});
   return {};
 }
 
@@ -74,7 +76,8 @@ void PlannerNode::interrupt() {
 void PlannerNode::on_cancel(const goalnet_msgs::msg::CancelInstruction& message) {
   const std::lock_guard lock(stop_mutex_);
   const std::uint64_t id = message.instruction_id();
-  if (id != 0) cancelled_[next_cancelled_++ % cancelled_.size()] = id;  // its goal may still wait in the loop's queue
+  if (id != 0)
+    cancelled_[next_cancelled_++ % cancelled_.size()] = id;  // its goal may still wait in the loop's queue
   if (id == 0 || id == instruction_) stop_.request_stop();
 }
 

@@ -1,6 +1,7 @@
 // The planner as a ROS 2 node.
 //
-// In:  goal_predicates (goalnet_msgs/GoalPredicates), world_state (goalnet_msgs/WorldState, latched), cancel_instruction
+// In:  goal_predicates (goalnet_msgs/GoalPredicates), world_state (goalnet_msgs/WorldState, latched),
+// cancel_instruction
 //      (goalnet_msgs/CancelInstruction: ends a search at once, also while the loop is busy with it).
 // Out: plan (goalnet_msgs/Plan): one for every goal that is not complete, from the newest world state; with
 // an outcome
@@ -36,8 +37,8 @@ class PlannerNode : public ros::ManagedComponent {
   };
   static void describe(ros::ParameterSet& set, Params& params);
 
-  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is
-  // wrong or the domain cannot be read.
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a
+  // parameter is wrong or the domain cannot be read.
   static Expected<std::unique_ptr<PlannerNode>> create(ros::Node& node);
 
   // From any thread: ends a search that runs, with kCancelled.
@@ -62,7 +63,7 @@ class PlannerNode : public ros::ManagedComponent {
   // While active.
   std::mutex stop_mutex_;  // guards the next four: a cancel comes from a thread of DDS
   std::stop_source stop_;
-  std::uint64_t instruction_ = 0;  // that is planned for now
+  std::uint64_t instruction_ = 0;             // that is planned for now
   std::array<std::uint64_t, 8> cancelled_{};  // the last ones that nobody wants a plan for any more
   std::size_t next_cancelled_ = 0;
   std::optional<WorldState> world_;

@@ -94,7 +94,8 @@ class ActionServer {
     std::function<void(std::shared_ptr<GoalHandle<Action>> goal)> on_accepted;
     // True: the goal is being cancelled (CANCELING); end it soon. False: it goes on.
     std::function<bool(GoalHandle<Action>& goal)> on_cancel;
-    // Optional: a cancel request has arrived, seen in a thread of DDS while the loop may be busy. on_cancel follows.
+    // Optional: a cancel request has arrived, seen in a thread of DDS while the loop may be busy. on_cancel
+    // follows.
     std::function<void(const GoalId& id, Time stamp)> on_cancel_arrived = {};
   };
 

@@ -20,17 +20,19 @@ Expected<void> ManagedComponent::begin() {
   declare();
   const auto autostart = node_.declare_parameter<bool>(
       kAutostart, true,
-      {.description = "configure and activate at start; false: a lifecycle manager or ros2 lifecycle set does",
+      {.description =
+           "configure and activate at start; false: a lifecycle manager or ros2 lifecycle set does",
        .read_only = true});
   if (!autostart) return tl::unexpected<Error>(autostart.error());
   lifecycle_ = std::make_unique<Lifecycle>(
-      node_, LifecycleCallbacks{
-                 .on_configure = [this] { return run("configure", &ManagedComponent::configure_with_parameters); },
-                 .on_activate = [this] { return run("activate", &ManagedComponent::on_activate); },
-                 .on_deactivate = [this] { return run("deactivate", &ManagedComponent::on_deactivate); },
-                 .on_cleanup = [this] { return run("cleanup", &ManagedComponent::on_cleanup); },
-                 .on_shutdown = [this](LifecycleState) { return run("shutdown", &ManagedComponent::let_go); },
-                 .on_error = [this](LifecycleState) { return run("error processing", &ManagedComponent::let_go); }});
+      node_,
+      LifecycleCallbacks{
+          .on_configure = [this] { return run("configure", &ManagedComponent::configure_with_parameters); },
+          .on_activate = [this] { return run("activate", &ManagedComponent::on_activate); },
+          .on_deactivate = [this] { return run("deactivate", &ManagedComponent::on_deactivate); },
+          .on_cleanup = [this] { return run("cleanup", &ManagedComponent::on_cleanup); },
+          .on_shutdown = [this](LifecycleState) { return run("shutdown", &ManagedComponent::let_go); },
+          .on_error = [this](LifecycleState) { return run("error processing", &ManagedComponent::let_go); }});
   diagnostics_ = std::make_unique<Diagnostics>(node_);
   diagnostics_->add("state", [this](DiagnosticReport& report) { diagnose(report); });
   if (!*autostart) return {};
@@ -54,8 +56,9 @@ void ManagedComponent::declare() {
   for (ParameterSet::Row row : parameters_.rows()) {
     row.descriptor.read_only = row.settable == Settable::kAtStart;
     if (row.settable == Settable::kUnconfigured) {
-      row.descriptor.additional_constraints +=
-          row.descriptor.additional_constraints.empty() ? "set while unconfigured" : "; set while unconfigured";
+      row.descriptor.additional_constraints += row.descriptor.additional_constraints.empty()
+                                                   ? "set while unconfigured"
+                                                   : "; set while unconfigured";
     }
     auto declared = parameters.declare(row.name, row.default_value, row.descriptor);
     if (declared) continue;
@@ -79,13 +82,16 @@ Expected<void> ManagedComponent::check(const std::vector<Parameter>& values) con
                          : ok;
       }
     }
-    if (!declared_ || row->settable != Settable::kUnconfigured || state() == LifecycleState::kUnconfigured) continue;
+    if (!declared_ || row->settable != Settable::kUnconfigured || state() == LifecycleState::kUnconfigured)
+      continue;
     const ParameterValue* now = node_.parameters().find(parameter.name);
     if (now != nullptr && *now == parameter.value) continue;  // what `ros2 param load` of a dump does
-    return fail(Outcome::kInvalidRequest,
-                fmt::format("parameter '{}' can be set while the node is unconfigured; it is {}: deactivate and clean "
-                            "it up first",
-                            parameter.name, label(state())));
+    return fail(
+        Outcome::kInvalidRequest,
+        fmt::format(
+            "parameter '{}' can be set while the node is unconfigured; it is {}: deactivate and clean "
+            "it up first",
+            parameter.name, label(state())));
   }
   return {};
 }
@@ -135,8 +141,8 @@ TransitionResult ManagedComponent::run(const char* what, Work work) {
 
 Expected<void> ManagedComponent::change(std::string_view transition) {
   if (!find_transition(state(), 0, transition)) {
-    return fail(Outcome::kInvalidRequest,
-                fmt::format("{}: there is no transition '{}' in state {}", node_.full_name(), transition, label(state())));
+    return fail(Outcome::kInvalidRequest, fmt::format("{}: there is no transition '{}' in state {}",
+                                                      node_.full_name(), transition, label(state())));
   }
   if (lifecycle_->change(0, transition)) return {};
   return tl::unexpected<Error>(last_error_);
@@ -146,8 +152,9 @@ void ManagedComponent::diagnose(DiagnosticReport& report) {
   report.add("state", std::string(label(state())));
   if (active()) return on_diagnose(report);
   if (state() == LifecycleState::kInactive) return;
-  report.summary(DiagnosticLevel::kWarn,
-                 fmt::format("{}{}{}", label(state()), last_error_.message.empty() ? "" : ": ", last_error_.message));
+  report.summary(
+      DiagnosticLevel::kWarn,
+      fmt::format("{}{}{}", label(state()), last_error_.message.empty() ? "" : ": ", last_error_.message));
 }
 
 }  // namespace goalnet::ros

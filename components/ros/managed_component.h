@@ -4,9 +4,10 @@
 //        ▲                cleanup: let go ◄──────────┘  ▲──────── deactivate: stop, fall silent ◄──┘
 //
 // A transition that fails leaves the node where it was, says why in one message, and may be tried again, for
-// example after `ros2 param set`. An exception counts as an error: everything is let go and the node is unconfigured.
-// Values from files and -p that make no sense do not end the node either: configure fails with them until they are
-// set right. The parameter autostart (default true) configures and activates at creation; false leaves that to others.
+// example after `ros2 param set`. An exception counts as an error: everything is let go and the node is
+// unconfigured. Values from files and -p that make no sense do not end the node either: configure fails with
+// them until they are set right. The parameter autostart (default true) configures and activates at creation;
+// false leaves that to others.
 #pragma once
 
 #include <map>
@@ -30,8 +31,8 @@ class ManagedComponent : public Component {
   LifecycleState state() const;
   bool active() const { return state() == LifecycleState::kActive; }
 
-  // As the service change_state does, but with the reason where it fails: kInvalidRequest for a transition that is not
-  // allowed now, else what the work said.
+  // As the service change_state does, but with the reason where it fails: kInvalidRequest for a transition
+  // that is not allowed now, else what the work said.
   Expected<void> configure() { return change("configure"); }
   Expected<void> activate() { return change("activate"); }
   Expected<void> deactivate() { return change("deactivate"); }
@@ -43,16 +44,18 @@ class ManagedComponent : public Component {
 
   const ParameterSet& parameters() const { return parameters_; }
 
-  // Declares the parameters, offers the lifecycle services and starts by itself where autostart says so. Once, after
-  // construction; an error means that autostart failed (or the node cannot be used), and the component is to be dropped.
+  // Declares the parameters, offers the lifecycle services and starts by itself where autostart says so.
+  // Once, after construction; an error means that autostart failed (or the node cannot be used), and the
+  // component is to be dropped.
   Expected<void> begin();
 
  protected:
   // Derived constructors fill `parameters_`; members bound there have the node's values from configure on.
   explicit ManagedComponent(Node& node);
 
-  // Called in this order of life; on_deactivate() and on_cleanup() also after errors, so they must bear being called in
-  // any state, and again. on_deactivate() fails where work cannot be stopped; it is not asked twice at shutdown.
+  // Called in this order of life; on_deactivate() and on_cleanup() also after errors, so they must bear being
+  // called in any state, and again. on_deactivate() fails where work cannot be stopped; it is not asked twice
+  // at shutdown.
   virtual Expected<void> on_configure() = 0;
   virtual Expected<void> on_activate() = 0;
   virtual Expected<void> on_deactivate() = 0;

@@ -123,7 +123,8 @@ void Node::follow_simulated_time(bool use) {
     if (!internals_->own_clock_heard) clock_.set_simulated(Time(message.clock()));
   });
   if (namespace_ == "/") return;
-  // Two robots on one network have a simulator each: the time of our own namespace, once heard, is the one that counts.
+  // Two robots on one network have a simulator each: the time of our own namespace, once heard, is the one
+  // that counts.
   internals_->own_clock = subscribe<Message>("clock", Qos::clock(), [this](const Message& message) {
     internals_->own_clock_heard = true;
     clock_.set_simulated(Time(message.clock()));

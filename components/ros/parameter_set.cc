@@ -68,7 +68,8 @@ ParameterSet::Row& ParameterSet::text(std::string name, std::string& value, std:
              [&value](const ParameterValue& v) { value = std::get<std::string>(v); });
 }
 
-ParameterSet::Row& ParameterSet::texts(std::string name, std::vector<std::string>& value, std::string description) {
+ParameterSet::Row& ParameterSet::texts(std::string name, std::vector<std::string>& value,
+                                       std::string description) {
   return add(std::move(name), value, std::move(description), std::nullopt, "",
              [&value](const ParameterValue& v) { value = std::get<std::vector<std::string>>(v); });
 }
@@ -79,13 +80,15 @@ ParameterSet::Row& ParameterSet::choice(std::string name, std::string& value, st
   row.check = [choices = std::move(choices)](const ParameterValue& v) -> Expected<void> {
     const auto& word = std::get<std::string>(v);
     if (std::find(choices.begin(), choices.end(), word) != choices.end()) return {};
-    return fail(Outcome::kInvalidRequest, fmt::format("\"{}\" is not {}", word.substr(0, 60), joined(choices)));
+    return fail(Outcome::kInvalidRequest,
+                fmt::format("\"{}\" is not {}", word.substr(0, 60), joined(choices)));
   };
   return row;
 }
 
 const ParameterSet::Row* ParameterSet::find(std::string_view name) const {
-  const auto found = std::find_if(rows_.begin(), rows_.end(), [name](const Row& row) { return row.name == name; });
+  const auto found =
+      std::find_if(rows_.begin(), rows_.end(), [name](const Row& row) { return row.name == name; });
   return found == rows_.end() ? nullptr : &*found;
 }
 

@@ -1,5 +1,5 @@
-// The parameters of a component in one table: declared on its node, read into its struct, checked when set, printed
-// for people. One row a parameter, written once.
+// The parameters of a component in one table: declared on its node, read into its struct, checked when set,
+// printed for people. One row a parameter, written once.
 //
 //   void describe(ros::ParameterSet& set, Params& params) {
 //     set.number("rate", params.rate, "how often facts are computed at most [Hz]", 1.0, 1000.0);
@@ -42,16 +42,18 @@ class ParameterSet {
   // The value that `value` has now is the default. A row stays valid until the next one is added.
   Row& number(std::string name, double& value, std::string description, double from, double to);
   template <std::integral T>
-    requires(!std::same_as<T, bool>)
-  Row& whole(std::string name, T& value, std::string description, double from, double to) {
-    return add(std::move(name), static_cast<std::int64_t>(value), std::move(description), ParameterRange{from, to, 1.0}, "",
+  requires(!std::same_as<T, bool>) Row& whole(std::string name, T& value, std::string description,
+                                              double from, double to) {
+    return add(std::move(name), static_cast<std::int64_t>(value), std::move(description),
+               ParameterRange{from, to, 1.0}, "",
                [&value](const ParameterValue& v) { value = static_cast<T>(std::get<std::int64_t>(v)); });
   }
   Row& flag(std::string name, bool& value, std::string description);
   Row& text(std::string name, std::string& value, std::string description, std::string constraints = "");
   Row& texts(std::string name, std::vector<std::string>& value, std::string description);
   // A text that must be one of `choices`.
-  Row& choice(std::string name, std::string& value, std::string description, std::vector<std::string> choices);
+  Row& choice(std::string name, std::string& value, std::string description,
+              std::vector<std::string> choices);
 
   const std::vector<Row>& rows() const { return rows_; }
   const Row* find(std::string_view name) const;

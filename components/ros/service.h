@@ -65,7 +65,8 @@ class Server {
     return std::unique_ptr<Server>(new Server(node, service, std::move(callback), qos, 0));
   }
 
-  // Besides the callback: each request as it arrives, in a thread of DDS. For what cannot wait until the loop is free.
+  // Besides the callback: each request as it arrives, in a thread of DDS. For what cannot wait until the loop
+  // is free.
   void set_glance(std::function<void(const Request&)> glance) {
     if (!glance) return base_->set_glance({});
     base_->set_glance(

@@ -14,7 +14,9 @@ Expected<std::unique_ptr<VisualizationNode>> VisualizationNode::create(ros::Node
   return ros::started(std::unique_ptr<VisualizationNode>(new VisualizationNode(node)));
 }
 
-VisualizationNode::VisualizationNode(ros::Node& node) : ManagedComponent(node) { describe(parameters_, params_); }
+VisualizationNode::VisualizationNode(ros::Node& node) : ManagedComponent(node) {
+  describe(parameters_, params_);
+}
 
 Expected<void> VisualizationNode::on_configure() {
   auto scene = scene::load_scene(params_.scene);

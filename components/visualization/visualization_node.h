@@ -20,8 +20,8 @@ class VisualizationNode : public ros::ManagedComponent {
   };
   static void describe(ros::ParameterSet& set, Params& params);
 
-  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is wrong
-  // or a file cannot be loaded.
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a
+  // parameter is wrong or a file cannot be loaded.
   static Expected<std::unique_ptr<VisualizationNode>> create(ros::Node& node);
 
  private:

@@ -36,8 +36,8 @@ std::optional<Pose> from_message(const geometry_msgs::msg::Pose& message) {
 
 }  // namespace
 
-VisualizationSession::VisualizationSession(ros::Node& node, const scene::Scene& scene, const robot::RobotModel& robot,
-                                           double rate)
+VisualizationSession::VisualizationSession(ros::Node& node, const scene::Scene& scene,
+                                           const robot::RobotModel& robot, double rate)
     : node_(node), scene_(scene), robot_(robot), kinematics_(robot_), joints_(robot_.home()) {
   open_topics(rate);
 }

@@ -33,8 +33,10 @@ namespace goalnet::visualization {
 // Belongs to the thread of the node's event loop.
 class VisualizationSession {
  public:
-  // Opens the topics. Scene and robot must outlive the session. `rate`: [Hz] at most so many markers messages.
-  VisualizationSession(ros::Node& node, const scene::Scene& scene, const robot::RobotModel& robot, double rate);
+  // Opens the topics. Scene and robot must outlive the session. `rate`: [Hz] at most so many markers
+  // messages.
+  VisualizationSession(ros::Node& node, const scene::Scene& scene, const robot::RobotModel& robot,
+                       double rate);
 
  private:
   void open_topics(double rate);

@@ -20,8 +20,8 @@ class WorldModelNode : public ros::ManagedComponent {
   };
   static void describe(ros::ParameterSet& set, Params& params);  // world_model_parameters.cc
 
-  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a parameter is wrong
-  // or the scene or robot cannot be loaded.
+  // As managed_component.h: active already where autostart says so. Fails with kInvalidRequest where a
+  // parameter is wrong or the scene or robot cannot be loaded.
   static Expected<std::unique_ptr<WorldModelNode>> create(ros::Node& node);
 
  private:

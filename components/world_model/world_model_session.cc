@@ -30,8 +30,8 @@ scene::Pose from_message(const geometry_msgs::msg::Pose& message) {
 
 }  // namespace
 
-WorldModelSession::WorldModelSession(ros::Node& node, const scene::Scene& scene, const robot::RobotModel& robot,
-                                     const SessionParams& params)
+WorldModelSession::WorldModelSession(ros::Node& node, const scene::Scene& scene,
+                                     const robot::RobotModel& robot, const SessionParams& params)
     : node_(node),
       scene_(scene),
       robot_(robot),

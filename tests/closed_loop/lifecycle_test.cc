@@ -36,7 +36,9 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-std::string name_of(const testing::TestParamInfo<tools::ComponentKind>& info) { return std::string(info.param.name); }
+std::string name_of(const testing::TestParamInfo<tools::ComponentKind>& info) {
+  return std::string(info.param.name);
+}
 
 class Lifecycle : public testing::TestWithParam<tools::ComponentKind> {
  protected:
@@ -72,7 +74,8 @@ class Lifecycle : public testing::TestWithParam<tools::ComponentKind> {
     const std::string base = "/" + name();
     change_ = std::make_unique<ros::Client<lifecycle_msgs::srv::ChangeState>>(*tool_, base + "/change_state");
     state_ = std::make_unique<ros::Client<lifecycle_msgs::srv::GetState>>(*tool_, base + "/get_state");
-    set_ = std::make_unique<ros::Client<rcl_interfaces::srv::SetParameters>>(*tool_, base + "/set_parameters");
+    set_ =
+        std::make_unique<ros::Client<rcl_interfaces::srv::SetParameters>>(*tool_, base + "/set_parameters");
   }
   std::string name() const { return std::string(GetParam().name); }
 
@@ -99,7 +102,9 @@ class Lifecycle : public testing::TestWithParam<tools::ComponentKind> {
   }
   // The parameter of each component that names a file.
   std::string file_parameter() const {
-    return name() == "goalnet" ? "model" : name() == "planner" || name() == "coordinator" ? "domain" : "robot";
+    return name() == "goalnet"                              ? "model"
+           : name() == "planner" || name() == "coordinator" ? "domain"
+                                                            : "robot";
   }
   void run_a_moment() { loop_.run_for(30ms); }
 
@@ -118,7 +123,8 @@ TEST_P(Lifecycle, EveryTransitionTwiceAndNoneThatIsNotAllowed) {
   start();
   EXPECT_EQ(state(), "unconfigured");
   for (int round = 0; round < 2; ++round) {
-    for (const int wrong : {kActivate, kDeactivate, kCleanup, 6, 7, 10, 99}) EXPECT_FALSE(change(wrong)) << wrong;
+    for (const int wrong : {kActivate, kDeactivate, kCleanup, 6, 7, 10, 99})
+      EXPECT_FALSE(change(wrong)) << wrong;
     ASSERT_TRUE(change(kConfigure));
     EXPECT_EQ(state(), "inactive");
     for (const int wrong : {kConfigure, kDeactivate, 5, 7}) EXPECT_FALSE(change(wrong)) << wrong;
@@ -155,10 +161,13 @@ TEST_P(Lifecycle, ABadFileFailsConfigureUntilItIsSetRight) {
   ASSERT_EQ(log.size(), 2u) << "one message each time";
   EXPECT_THAT(log[0], HasSubstr("configure failed"));
   EXPECT_THAT(log[0], HasSubstr("/no/such/file"));
-  const std::string good = file_parameter() == "model" ? "goalnet" : file_parameter() == "domain" ? "household" : "default";
+  const std::string good = file_parameter() == "model"    ? "goalnet"
+                           : file_parameter() == "domain" ? "household"
+                                                          : "default";
   EXPECT_EQ(set(file_parameter(), text(good)), "");
   EXPECT_TRUE(change(kConfigure));
-  EXPECT_THAT(set(file_parameter(), text("another")), HasSubstr("while the node is unconfigured; it is inactive"));
+  EXPECT_THAT(set(file_parameter(), text("another")),
+              HasSubstr("while the node is unconfigured; it is inactive"));
   EXPECT_TRUE(change(kActivate));
 }
 
@@ -166,7 +175,8 @@ TEST_P(Lifecycle, ABadFileFailsConfigureUntilItIsSetRight) {
 TEST_P(Lifecycle, ParametersAreDescribedInRangeAndRefuseNonsense) {
   start();
   ros::Client<rcl_interfaces::srv::ListParameters> list(*tool_, "/" + name() + "/list_parameters");
-  ros::Client<rcl_interfaces::srv::DescribeParameters> describe(*tool_, "/" + name() + "/describe_parameters");
+  ros::Client<rcl_interfaces::srv::DescribeParameters> describe(*tool_,
+                                                                "/" + name() + "/describe_parameters");
   ros::Client<rcl_interfaces::srv::GetParameters> get(*tool_, "/" + name() + "/get_parameters");
   const auto names = list.call_and_run({}, 5s)->result().names();
   const std::set<std::string> listed(names.begin(), names.end());
@@ -181,7 +191,8 @@ TEST_P(Lifecycle, ParametersAreDescribedInRangeAndRefuseNonsense) {
     EXPECT_EQ(described.type(), row.default_value.index()) << row.name;
     EXPECT_EQ(described.read_only(), row.settable == ros::Settable::kAtStart) << row.name;
     const bool number = row.default_value.index() == 2 || row.default_value.index() == 3;
-    EXPECT_EQ(described.integer_range().size() + described.floating_point_range().size(), number ? 1u : 0u) << row.name;
+    EXPECT_EQ(described.integer_range().size() + described.floating_point_range().size(), number ? 1u : 0u)
+        << row.name;
     if (described.read_only()) continue;
     EXPECT_THAT(set(row.name, {}), HasSubstr("is of type")) << row.name << ": not set";
     rcl_interfaces::msg::ParameterValue value;
@@ -217,11 +228,15 @@ TEST_P(Lifecycle, WhileNotActiveNothingIsHeardAndNothingIsSaid) {
   start();
   int said = 0;
   const auto count = [&](const auto&) { ++said; };
-  const auto a = tool_->subscribe<goalnet_msgs::msg::InstructionStatus>("instruction_status", ros::Qos::standard(), count);
+  const auto a = tool_->subscribe<goalnet_msgs::msg::InstructionStatus>("instruction_status",
+                                                                        ros::Qos::standard(), count);
   const auto b = tool_->subscribe<goalnet_msgs::msg::Plan>("plan", ros::Qos::standard(), count);
-  const auto c = tool_->subscribe<goalnet_msgs::msg::ActionStatus>("action_status", ros::Qos::standard(), count);
-  const auto d = tool_->subscribe<goalnet_msgs::msg::ExecutorStatus>("executor_status", ros::Qos::standard(), count);
-  const auto e = tool_->subscribe<sensor_msgs::msg::JointState>("joint_commands", ros::Qos::standard(), count);
+  const auto c =
+      tool_->subscribe<goalnet_msgs::msg::ActionStatus>("action_status", ros::Qos::standard(), count);
+  const auto d =
+      tool_->subscribe<goalnet_msgs::msg::ExecutorStatus>("executor_status", ros::Qos::standard(), count);
+  const auto e =
+      tool_->subscribe<sensor_msgs::msg::JointState>("joint_commands", ros::Qos::standard(), count);
   const auto speak = [&] {
     auto say = tool_->advertise<std_msgs::msg::String>("instruction");
     std_msgs::msg::String words;
@@ -279,8 +294,8 @@ TEST_P(Lifecycle, ManyRoundsLeaveNothingBehind) {
   EXPECT_LT(growth, 10'000) << "bytes a round";
 }
 
-INSTANTIATE_TEST_SUITE_P(Components, Lifecycle, testing::ValuesIn(tools::component_kinds().begin(),
-                                                                  tools::component_kinds().end()),
+INSTANTIATE_TEST_SUITE_P(Components, Lifecycle,
+                         testing::ValuesIn(tools::component_kinds().begin(), tools::component_kinds().end()),
                          name_of);
 
 // Each README shows the table that the component itself has.

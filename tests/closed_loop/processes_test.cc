@@ -1,5 +1,5 @@
-// Each component in a process of its own, in any start order, in namespaces, lost and started again: the same classes,
-// the same topics, real time.
+// Each component in a process of its own, in any start order, in namespaces, lost and started again: the same
+// classes, the same topics, real time.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -33,11 +33,13 @@ const std::map<std::string, std::string> kEnvironment{{"ROS_DOMAIN_ID", std::to_
 struct Person {
   Person(ros::Node& node, ros::EventLoop& the_loop, const std::string& space) : loop(the_loop) {
     goal = node.advertise<GoalPredicates>(space + "/goal");
-    status = node.subscribe<InstructionStatus>(space + "/instruction_status", ros::Qos::latched().keep_last(1000),
-                                               [this](const InstructionStatus& message) { last = message; });
+    status =
+        node.subscribe<InstructionStatus>(space + "/instruction_status", ros::Qos::latched().keep_last(1000),
+                                          [this](const InstructionStatus& message) { last = message; });
     world = node.subscribe<goalnet_msgs::msg::WorldState>(
-        space + "/world_state", ros::Qos::latched(),
-        [this](const goalnet_msgs::msg::WorldState& message) { facts = messages::from_message(message)->facts; });
+        space + "/world_state", ros::Qos::latched(), [this](const goalnet_msgs::msg::WorldState& message) {
+          facts = messages::from_message(message)->facts;
+        });
     joints = node.subscribe<sensor_msgs::msg::JointState>(
         space + "/joint_states", ros::Qos::standard(), [this](const sensor_msgs::msg::JointState& message) {
           speed = 0.0;
@@ -81,10 +83,13 @@ const Predicate kTapOn{"state", "SinkKnob", "TapIsOn"};
 class Processes : public testing::Test {
  protected:
   void start(const std::string& component, const std::string& space = "") {
-    std::vector<std::string> words = {testing_support::program("goalnet"), "component", component, "--ros-args"};
+    std::vector<std::string> words = {testing_support::program("goalnet"), "component", component,
+                                      "--ros-args"};
     if (component != "simulator") words.insert(words.end(), {"-p", "use_sim_time:=true"});
     // What is lost is to be noticed soon.
-    if (component == "coordinator") words.insert(words.end(), {"-p", "action_silence_timeout:=4.0", "-p", "cancel_timeout:=1.0", "-p", "planning_timeout:=5.0"});
+    if (component == "coordinator")
+      words.insert(words.end(), {"-p", "action_silence_timeout:=4.0", "-p", "cancel_timeout:=1.0", "-p",
+                                 "planning_timeout:=5.0"});
     if (!space.empty()) words.insert(words.end(), {"-r", "__ns:=" + space});
     running_[space + "/" + component] = std::make_unique<Process>(words, kEnvironment);
   }
@@ -132,7 +137,8 @@ TEST_F(Processes, TwoRobotsOnOneNetworkInAnyStartOrder) {
   ASSERT_NO_FATAL_FAILURE(first.wait_until_the_world_is_known());
   // The second by the launcher and the file that is shipped; its time is another one.
   running_["/robot2"] = std::make_unique<Process>(
-      std::vector<std::string>{testing_support::program("goalnet"), "launch", "robot", "namespace:=/robot2"}, kEnvironment);
+      std::vector<std::string>{testing_support::program("goalnet"), "launch", "robot", "namespace:=/robot2"},
+      kEnvironment);
   ASSERT_NO_FATAL_FAILURE(second.wait_until_the_world_is_known());
   ASSERT_NO_FATAL_FAILURE(first.ask_for(kTapOn));
   EXPECT_EQ(first.outcome(), 0) << first.last.message();
@@ -160,7 +166,8 @@ TEST_F(Processes, ALostPlannerIsNamedAndReplaced) {
 TEST_F(Processes, WhatIsKilledInMotionEndsInAFaultAndTheRobotRests) {
   Person person(*node_, loop_, "");
   start_all(3);
-  const std::pair<const char*, int> kVictims[] = {{"manipulation", 32}, {"executor", 32}, {"world_model", 31}};
+  const std::pair<const char*, int> kVictims[] = {
+      {"manipulation", 32}, {"executor", 32}, {"world_model", 31}};
   for (const auto& [victim, outcome] : kVictims) {
     ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
     ASSERT_TRUE(loop_.run_for(kLimit, [&] { return person.moving() || person.finished(); })) << victim;

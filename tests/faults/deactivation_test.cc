@@ -1,5 +1,5 @@
-// A cancel, or a component deactivated, while the robot moves: it comes to rest, the instruction ends with a typed
-// outcome, and once the component is active again everything works.
+// A cancel, or a component deactivated, while the robot moves: it comes to rest, the instruction ends with a
+// typed outcome, and once the component is active again everything works.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

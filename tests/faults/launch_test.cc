@@ -39,7 +39,8 @@ class Launch : public testing::Test {
   }
   static std::vector<std::string> told(const std::string& out) {
     std::vector<std::string> all;
-    for (const auto& one : events(out)) all.push_back(one["process"].get<std::string>() + " " + one["event"].get<std::string>());
+    for (const auto& one : events(out))
+      all.push_back(one["process"].get<std::string>() + " " + one["event"].get<std::string>());
     return all;
   }
   static int pid_of(const Process& launch, const std::string& name) {
@@ -50,7 +51,8 @@ class Launch : public testing::Test {
     return pid;
   }
   static bool alive(int pid) { return kill(pid, 0) == 0; }
-  const std::string file_ = (std::filesystem::temp_directory_path() / ("launch_" + std::to_string(getpid()) + ".yaml")).string();
+  const std::string file_ =
+      (std::filesystem::temp_directory_path() / ("launch_" + std::to_string(getpid()) + ".yaml")).string();
 };
 
 TEST_F(Launch, StartsAKilledChildAgainAndEndsAllInOrder) {
@@ -71,9 +73,9 @@ processes:
   launch->signal(SIGTERM);
   const ProcessResult result = launch->wait(20s);
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(told(result.out),
-              ElementsAre("first started", "second started", "first ended", "first restarting", "first started",
-                          "second stopping", "second ended", "first stopping", "first ended"));
+  EXPECT_THAT(told(result.out), ElementsAre("first started", "second started", "first ended",
+                                            "first restarting", "first started", "second stopping",
+                                            "second ended", "first stopping", "first ended"));
   EXPECT_EQ(events(result.out)[2]["exit_code"], 137);
   EXPECT_FALSE(alive(again));
   EXPECT_FALSE(alive(second));
@@ -156,7 +158,8 @@ TEST_F(Launch, RefusesFilesThatMakeNoSense) {
   EXPECT_THAT(program.err, HasSubstr("there is no program 'no_such_program' in PATH"));
   // Found and allowed, but no program: the kernel says so when it is started.
   const std::string text_file = file_ + ".txt";
-  std::ofstream(text_file) << "\x7f" "ELF and nothing else";
+  std::ofstream(text_file) << "\x7f"
+                              "ELF and nothing else";
   std::filesystem::permissions(text_file, std::filesystem::perms::owner_all);
   const ProcessResult broken = start("processes: {a: {command: [" + text_file + "]}}")->wait(20s);
   std::filesystem::remove(text_file);

@@ -19,9 +19,11 @@ void print_help() {
       "usage: goalnet component NAME [--ros-args …]\n"
       "       goalnet component NAME --show-parameters [--markdown]\n"
       "\n"
-      "Runs one component as a managed (lifecycle) ROS 2 node in a process of its own, until Ctrl-C. Start them in any\n"
+      "Runs one component as a managed (lifecycle) ROS 2 node in a process of its own, until Ctrl-C. Start "
+      "them in any\n"
       "order. It configures and activates itself, unless -p autostart:=false: then a lifecycle manager or\n"
-      "\"ros2 lifecycle set\" does, and a bad parameter, file or model fails configure until \"ros2 param set\" mends it.\n"
+      "\"ros2 lifecycle set\" does, and a bad parameter, file or model fails configure until \"ros2 param "
+      "set\" mends it.\n"
       "Started by itself, it ends with code 13 and says why. Beside a simulator the others need its time:\n"
       "--ros-args -p use_sim_time:=true\n"
       "\n"
@@ -45,7 +47,8 @@ int show_parameters(const ComponentKind& kind, bool markdown) {
   }
   const std::string name(kind.name);
   std::printf(
-      "goalnet component %s [--ros-args -p NAME:=VALUE … --params-file FILE -r FROM:=TO -r __ns:=/NAMESPACE …]\n"
+      "goalnet component %s [--ros-args -p NAME:=VALUE … --params-file FILE -r FROM:=TO -r __ns:=/NAMESPACE "
+      "…]\n"
       "%.*s\n\nparameters:\n%s"
       "every component besides:\n"
       "  autostart (bool, default true)\n      configure and activate at start; set: at start\n"
@@ -59,7 +62,8 @@ int refuse(const std::string& message) {
   return static_cast<int>(Outcome::kInvalidRequest);
 }
 
-// A slip in a name would otherwise be silently without effect. What stands in a file for all nodes may well mean others.
+// A slip in a name would otherwise be silently without effect. What stands in a file for all nodes may well
+// mean others.
 void warn_of_unused(ros::Node& node) {
   for (const std::string& name : node.parameters().unused_overrides())
     node.log().warn("parameter {} is not known to this node", name);
@@ -115,7 +119,8 @@ int component_command(int argc, char** argv) {
   }
   const bool markdown = words.size() == 3 && words[2] == "--markdown";
   if (words.size() > 1 && (words[1] == "--help" || words[1] == "-h")) return show_parameters(*kind, false);
-  if ((words.size() == 2 || markdown) && words[1] == "--show-parameters") return show_parameters(*kind, markdown);
+  if ((words.size() == 2 || markdown) && words[1] == "--show-parameters")
+    return show_parameters(*kind, markdown);
   const auto arguments = ros::parse_arguments({words.begin() + 1, words.end()});
   if (!arguments) return refuse(arguments.error().message);
   if (!arguments->remaining.empty()) {

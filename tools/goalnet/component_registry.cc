@@ -43,7 +43,8 @@ constexpr ComponentKind kKinds[] = {
     kind<planner::PlannerNode>("planner", "goal predicates to a plan"),
     kind<manipulation::ManipulationNode>("manipulation", "symbolic actions to trajectories"),
     kind<coordinator::CoordinatorNode>("coordinator", "the loop: infer, plan, act, observe"),
-    kind<visualization::VisualizationNode>("visualization", "markers of objects, facts, goal and path for RViz"),
+    kind<visualization::VisualizationNode>("visualization",
+                                           "markers of objects, facts, goal and path for RViz"),
 };
 
 }  // namespace

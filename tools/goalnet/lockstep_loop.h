@@ -76,8 +76,8 @@ class LockstepLoop {
   // The physics behind the topics, for faults and tests; change it between steps only.
   sim::World& world();
 
-  // One of the components, to change its lifecycle state between steps. Throws std::out_of_range for a name that
-  // component_registry.h does not have.
+  // One of the components, to change its lifecycle state between steps. Throws std::out_of_range for a name
+  // that component_registry.h does not have.
   ros::ManagedComponent& component(std::string_view name);
 
   // Ends a long computation inside step(); from any thread.

@@ -1,4 +1,5 @@
-// Cancelling an instruction in each of its stages, by the action, by the topic, and by deactivating the coordinator.
+// Cancelling an instruction in each of its stages, by the action, by the topic, and by deactivating the
+// coordinator.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -25,14 +26,16 @@ class CancelTest : public NodeTest, public testing::WithParamInterface<Stopped> 
  protected:
   // An instruction by the action that has come as far as the stage of this test.
   void begin(Follower& follower) {
-    cancels = others->subscribe<CancelInstruction>("/cancel_instruction", ros::Qos::standard(),
-                                                   [this](const auto& m) { forgotten.push_back(m.instruction_id()); });
+    cancels = others->subscribe<CancelInstruction>(
+        "/cancel_instruction", ros::Qos::standard(),
+        [this](const auto& m) { forgotten.push_back(m.instruction_id()); });
     goalnet_is_silent = GetParam().goalnet_is_silent;
     planner_is_silent = GetParam().planner_is_silent;
     hands_are_stuck = GetParam().hands_are_stuck;
     id = follower.send("take the mug");
     ASSERT_TRUE(loop.run_for(5s, [&] {
-      return follower.accepted && !reports.empty() && to_string(reports.back().stage) == std::string(GetParam().stage);
+      return follower.accepted && !reports.empty() &&
+             to_string(reports.back().stage) == std::string(GetParam().stage);
     }));
     hands_are_stuck = false;  // they hear the cancel
     asked = std::chrono::steady_clock::now();
@@ -87,7 +90,8 @@ TEST_P(CancelTest, ByDeactivatingTheCoordinator) {
   begin(follower);
   const std::uint64_t number = reports.back().id;
   ASSERT_TRUE(coordinator->deactivate());
-  ASSERT_TRUE(loop.run_for(5s, [&] { return follower.state.has_value(); })) << "the result comes before the silence";
+  ASSERT_TRUE(loop.run_for(5s, [&] { return follower.state.has_value(); }))
+      << "the result comes before the silence";
   EXPECT_EQ(follower.result.outcome(), 22);
   EXPECT_THAT(follower.result.message(), HasSubstr("deactivated"));
   // Afterwards it works again, and never gives the same number twice.
@@ -118,9 +122,9 @@ TEST_F(NodeTest, ACancelRequestReachesSearchesWhileTheLoopIsBusy) {
   const auto client = ros::Node::create(*context, client_loop, std::move(options)).value();
   Follower follower(*client);
   std::atomic<std::uint64_t> told{0};
-  const auto search = others->subscribe<CancelInstruction>(
-      "/cancel_instruction", ros::Qos::standard(), [&](const auto& m) { told = m.instruction_id(); },
-      {.immediate = true});
+  const auto search = others->subscribe<CancelInstruction>("/cancel_instruction", ros::Qos::standard(),
+                                                           [&](const auto& m) { told = m.instruction_id(); },
+                                                           {.immediate = true});
   std::jthread robot([this] { loop.run(); });
   const ros::GoalId id = follower.send("take the mug");
   ASSERT_TRUE(client_loop.run_for(5s, [&] {

@@ -277,14 +277,14 @@ TEST_F(ExecutorNodeTest, DeactivateWaitsUntilTheRobotStands) {
   // A perfect robot in a thread of its own: this test's loop is the executor's, and that one waits.
   std::atomic<double> position{0.2}, velocity{0.0};
   std::atomic<int> commands{0};
-  const auto obey = client_->subscribe<sensor_msgs::msg::JointState>(
-      "joint_commands", ros::Qos::standard().keep_last(1),
-      [&](const sensor_msgs::msg::JointState& command) {
-        position = command.position()[lift];
-        velocity = command.velocity()[lift];
-        ++commands;
-      },
-      {.immediate = true});
+  const auto obey =
+      client_->subscribe<sensor_msgs::msg::JointState>("joint_commands", ros::Qos::standard().keep_last(1),
+                                                       [&](const sensor_msgs::msg::JointState& command) {
+                                                         position = command.position()[lift];
+                                                         velocity = command.velocity()[lift];
+                                                         ++commands;
+                                                       },
+                                                       {.immediate = true});
   std::jthread robot_thread([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       measured.position()[lift] = position;

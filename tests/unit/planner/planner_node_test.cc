@@ -43,7 +43,8 @@ WorldState puzzle() {
       facts.push_back({"Tile", tile(kTiles[i] - 1), cell(i)});
     }
     for (int j = 0; j < 16; ++j) {
-      if (std::abs(i % 4 - j % 4) + std::abs(i / 4 - j / 4) == 1) facts.push_back({"Beside", cell(i), cell(j)});
+      if (std::abs(i % 4 - j % 4) + std::abs(i / 4 - j / 4) == 1)
+        facts.push_back({"Beside", cell(i), cell(j)});
     }
   }
   std::sort(world.objects.begin(), world.objects.end());
@@ -62,9 +63,10 @@ class PlannerNodeTest : public testing::Test {
     ros::NodeOptions planner;
     planner.name = "planner";
     planner.arguments.console = false;
-    planner.arguments = ros::parse_arguments({"--ros-args", "--disable-stdout-logs", "-p", "node_limit:=0", "-p",
-                                              "time_limit:=60.0", "-p", "domain:=" + domain_file_.string()})
-                            .value();
+    planner.arguments =
+        ros::parse_arguments({"--ros-args", "--disable-stdout-logs", "-p", "node_limit:=0", "-p",
+                              "time_limit:=60.0", "-p", "domain:=" + domain_file_.string()})
+            .value();
     node_ = ros::Node::create(*context_, planner_loop_, std::move(planner)).value();
     planner_ = PlannerNode::create(*node_).value();
     ros::NodeOptions tool;

@@ -56,7 +56,8 @@ class Toy : public ManagedComponent {
 };
 
 struct ManagedComponentTest : testing::Test {
-  std::unique_ptr<Context> context = Context::create({.domain_id = kLifecycleDomain, .process_only = true}).value();
+  std::unique_ptr<Context> context =
+      Context::create({.domain_id = kLifecycleDomain, .process_only = true}).value();
   EventLoop loop;
   std::unique_ptr<Node> node;
   std::unique_ptr<Toy> toy;
@@ -208,8 +209,8 @@ TEST_F(ManagedComponentTest, DiagnosticsTellTheState) {
   ASSERT_TRUE(start({"autostart:=false", "file:=bad"}));
   EXPECT_FALSE(toy->configure());
   std::vector<diagnostic_msgs::msg::DiagnosticStatus> seen;
-  const auto in = node->subscribe<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics", Qos::standard(),
-                                                                         [&](const auto& m) { seen = m.status(); });
+  const auto in = node->subscribe<diagnostic_msgs::msg::DiagnosticArray>(
+      "/diagnostics", Qos::standard(), [&](const auto& m) { seen = m.status(); });
   ASSERT_TRUE(loop.run_for(3s, [&] { return !seen.empty(); }));
   EXPECT_EQ(seen[0].name(), "toy: state");
   EXPECT_EQ(seen[0].level(), 1);

@@ -31,20 +31,22 @@ processes:
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->patience, 1.5);
   ASSERT_EQ(plan->processes.size(), 2u);
-  EXPECT_THAT(plan->processes[0].command,
-              ElementsAre("/bin/goalnet", "component", "simulator", "--ros-args", "-r", "__ns:=/robot1", "-r", "/tf:=tf",
-                          "-r", "/tf_static:=tf_static", "-p", "scene:=living_room", "-p", "seed:=3"));
+  EXPECT_THAT(
+      plan->processes[0].command,
+      ElementsAre("/bin/goalnet", "component", "simulator", "--ros-args", "-r", "__ns:=/robot1", "-r",
+                  "/tf:=tf", "-r", "/tf_static:=tf_static", "-p", "scene:=living_room", "-p", "seed:=3"));
   EXPECT_EQ(plan->processes[0].restart.when, RestartWhen::kNever);
   EXPECT_THAT(plan->processes[1].command,
-              ElementsAre("/bin/goalnet", "component", "planner", "--ros-args", "-r", "__ns:=/robot1", "-r", "/tf:=tf",
-                          "-r", "/tf_static:=tf_static", "-r", "__node:=brain", "-p", "use_sim_time:=true", "-r",
-                          "/plan:=/my_plan"));
+              ElementsAre("/bin/goalnet", "component", "planner", "--ros-args", "-r", "__ns:=/robot1", "-r",
+                          "/tf:=tf", "-r", "/tf_static:=tf_static", "-r", "__node:=brain", "-p",
+                          "use_sim_time:=true", "-r", "/plan:=/my_plan"));
   EXPECT_EQ(plan->processes[1].environment.at("A"), "y");
   EXPECT_FALSE(plan->processes[1].required);
 }
 
 TEST(LaunchFile, CommandsAreFoundInThePath) {
-  const auto plan = parse("processes: {say: {command: [sh, -c, 'echo 1'], restart: {when: always, limit: 2}}}");
+  const auto plan =
+      parse("processes: {say: {command: [sh, -c, 'echo 1'], restart: {when: always, limit: 2}}}");
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_THAT(plan->processes[0].command, ElementsAre(testing::EndsWith("/sh"), "-c", "echo 1"));
   EXPECT_EQ(plan->processes[0].restart.limit, 2);
@@ -55,15 +57,18 @@ TEST(LaunchFile, SlipsAreNamedWithTheirLine) {
       {"", "must be a map"},
       {"- a", "must be a map"},
       {"processes: {}", "needs 'processes:'"},
-      {"processes:\n  a: {component: planer}", "x.yaml:2: there is no component 'planer'; known: simulator, planner"},
+      {"processes:\n  a: {component: planer}",
+       "x.yaml:2: there is no component 'planer'; known: simulator, planner"},
       {"processes:\n  a: {}", "x.yaml:2: process 'a' needs either"},
       {"processes: {a: {component: planner, command: [sh]}}", "needs either"},
-      {"processes: {a: {command: [no_such_program_here]}}", "there is no program 'no_such_program_here' in PATH"},
+      {"processes: {a: {command: [no_such_program_here]}}",
+       "there is no program 'no_such_program_here' in PATH"},
       {"processes: {a: {command: [/etc/passwd]}}", "/etc/passwd cannot be executed"},
       {"processes: {a: {command: sh}}", "a list of words"},
       {"processes: {a: {command: []}}", "must be a list"},
       {"processes: {a: {command: [sh], parameters: {x: 1}}}", "for components only"},
-      {"processes: {a: {component: planner, params_file: /no/such.yaml}}", "cannot read the parameter file /no/such.yaml"},
+      {"processes: {a: {component: planner, params_file: /no/such.yaml}}",
+       "cannot read the parameter file /no/such.yaml"},
       {"processes: {a: {component: planner, restart: sometimes}}", "never, on_failure or always"},
       {"processes: {a: {component: planner, restart: {limit: -1}}}", "'limit' must be a number"},
       {"processes: {a: {component: planner, required: maybe}}", "'required' must be true or false"},
@@ -84,14 +89,16 @@ TEST(LaunchFile, SlipsAreNamedWithTheirLine) {
     EXPECT_THAT(plan.error().message, HasSubstr(message)) << text;
     EXPECT_THAT(plan.error().message, testing::StartsWith("x.yaml")) << text;
   }
-  const auto unknown = parse("arguments: {scene: a}\nprocesses: {a: {component: planner}}", {{"scenes", "b"}});
+  const auto unknown =
+      parse("arguments: {scene: a}\nprocesses: {a: {component: planner}}", {{"scenes", "b"}});
   ASSERT_FALSE(unknown);
   EXPECT_THAT(unknown.error().message, HasSubstr("there is no argument 'scenes'; this file has: scene"));
 }
 
 TEST(LaunchFile, ThoseThatAreShippedAreSound) {
   LaunchSurroundings all = kSurroundings;
-  all.components = {"simulator", "executor", "world_model", "goalnet", "planner", "manipulation", "coordinator", "visualization"};
+  all.components = {"simulator", "executor",     "world_model", "goalnet",
+                    "planner",   "manipulation", "coordinator", "visualization"};
   const std::string folder = GOALNET_SOURCE_DIR "/config/launch/";
   const auto robot = read_launch_file(folder + "robot.yaml", {{"namespace", "/robot1"}}, all);
   ASSERT_TRUE(robot) << robot.error().message;
@@ -105,7 +112,8 @@ TEST(LaunchFile, ThoseThatAreShippedAreSound) {
 
 TEST(RestartPolicy, BacksOffAndGivesUp) {
   using Kind = RestartPolicy::Decision::Kind;
-  RestartPolicy policy({.when = RestartWhen::kOnFailure, .delay = 1, .longest_delay = 3, .limit = 3, .window = 60});
+  RestartPolicy policy(
+      {.when = RestartWhen::kOnFailure, .delay = 1, .longest_delay = 3, .limit = 3, .window = 60});
   EXPECT_EQ(policy.ended(false, 0).kind, Kind::kStayEnded);
   EXPECT_EQ(policy.ended(true, 10).at, 11);
   EXPECT_EQ(policy.ended(true, 12).at, 14) << "twice as long";

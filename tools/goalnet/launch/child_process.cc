@@ -18,8 +18,9 @@ namespace {
 constexpr std::size_t kLongestLine = 65'536;
 
 // In the child, before it becomes the program. Reports errno through `report` where that fails.
-[[noreturn]] void become(const std::vector<char*>& argv, const std::map<std::string, std::string>& environment,
-                         pid_t parent, int out, int err, int report) {
+[[noreturn]] void become(const std::vector<char*>& argv,
+                         const std::map<std::string, std::string>& environment, pid_t parent, int out,
+                         int err, int report) {
   setpgid(0, 0);  // Ctrl-C at the terminal is for the launcher, which ends its children in order
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(127);  // it died before the line above

@@ -36,7 +36,8 @@ class ChildProcess {
   int out() const { return pipes_[0].fd; }
   int err() const { return pipes_[1].fd; }
 
-  // Hands on the lines that can be read now, without line ends; never blocks. `rest`: also one without an end.
+  // Hands on the lines that can be read now, without line ends; never blocks. `rest`: also one without an
+  // end.
   using LineSink = std::function<void(const std::string& line, bool error)>;
   void read_lines(const LineSink& sink, bool rest);
 

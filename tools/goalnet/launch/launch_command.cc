@@ -1,8 +1,12 @@
 #include "tools/goalnet/launch/launch_command.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -22,9 +26,12 @@ namespace {
 constexpr const char* kHelp =
     "usage: goalnet launch FILE [NAME:=VALUE …] [--json]\n"
     "\n"
-    "Starts the processes that FILE (YAML, or a name in config/launch) lists, puts their names before their output,\n"
-    "starts them again when they fail (with growing pauses, a limited number of times) and ends them in order at\n"
-    "Ctrl-C or SIGTERM. NAME:=VALUE sets an argument of the file. --json: one JSON object a line on standard output\n"
+    "Starts the processes that FILE (YAML, or a name in config/launch) lists, puts their names before their "
+    "output,\n"
+    "starts them again when they fail (with growing pauses, a limited number of times) and ends them in "
+    "order at\n"
+    "Ctrl-C or SIGTERM. NAME:=VALUE sets an argument of the file. --json: one JSON object a line on standard "
+    "output\n"
     "for each thing that happens; the processes' output goes to standard error.\n"
     "\n"
     "exit codes: 0 ended as asked; 13 the file makes no sense; 32 a required process is lost.\n"
@@ -63,6 +70,19 @@ Expected<Options> parse(const std::vector<std::string>& words) {
   if (options.file.empty())
     return fail(Outcome::kInvalidRequest, "which file? \"goalnet launch --help\" tells more");
   return options;
+}
+
+// "components, robot": the files that are shipped.
+std::string shipped() {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(config_path("launch"), ignored)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem());
+  }
+  std::sort(names.begin(), names.end());
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
 }
 
 void print(const LaunchEvent& event, bool json) {
@@ -104,8 +124,10 @@ int launch_command(int argc, char** argv) {
   surroundings.goalnet = program_folder() + "/goalnet-robot";
   for (const ComponentKind& kind : component_kinds()) surroundings.components.emplace_back(kind.name);
   if (const char* path = std::getenv("PATH")) surroundings.search_path = path;
-  const auto plan =
-      read_launch_file(config_file("launch", options->file, ".yaml"), options->arguments, surroundings);
+  const std::string file = config_file("launch", options->file, ".yaml");
+  if (access(file.c_str(), R_OK) != 0)
+    return refuse("cannot read the launch file " + file + "; config/launch has: " + shipped());
+  const auto plan = read_launch_file(file, options->arguments, surroundings);
   if (!plan) return refuse(plan.error().message);
 
   const StopSignal stop;

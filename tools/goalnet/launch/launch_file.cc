@@ -35,8 +35,8 @@ void check_keys(const YAML::Node& map, const std::string& what, std::initializer
   for (const auto& entry : map) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    slip(entry.first, what + " has no key '" + key.substr(0, 60) + "'; known: " +
-                          listed(std::vector<std::string>(known.begin(), known.end())));
+    slip(entry.first, what + " has no key '" + key.substr(0, 60) +
+                          "'; known: " + listed(std::vector<std::string>(known.begin(), known.end())));
   }
 }
 
@@ -74,7 +74,8 @@ class Reader {
     if (declared) {
       if (!declared.IsMap()) slip(declared, "'arguments' must be a map of names and default values");
       for (const auto& entry : declared) {
-        if (!entry.second.IsScalar() && !entry.second.IsNull()) slip(entry.second, "an argument's default must be plain text");
+        if (!entry.second.IsScalar() && !entry.second.IsNull())
+          slip(entry.second, "an argument's default must be plain text");
         arguments_[entry.first.as<std::string>()] = entry.second.IsNull() ? "" : entry.second.Scalar();
       }
     }
@@ -82,8 +83,9 @@ class Reader {
       if (!arguments_.contains(name)) {
         std::vector<std::string> known;
         for (const auto& [one, ignored] : arguments_) known.push_back(one);
-        throw Slip{YAML::Mark::null_mark(), "there is no argument '" + name.substr(0, 60) + "'; this file has: " +
-                                                (known.empty() ? "none" : listed(known))};
+        throw Slip{YAML::Mark::null_mark(),
+                   "there is no argument '" + name.substr(0, 60) +
+                       "'; this file has: " + (known.empty() ? "none" : listed(known))};
       }
       arguments_[name] = value;
     }
@@ -102,7 +104,8 @@ class Reader {
       if (close == std::string::npos) slip(node, "'${' without '}'");
       const std::string name = raw.substr(open + 2, close - open - 2);
       const auto found = arguments_.find(name);
-      if (found == arguments_.end()) slip(node, "${" + name.substr(0, 60) + "} is not among the file's arguments");
+      if (found == arguments_.end())
+        slip(node, "${" + name.substr(0, 60) + "} is not among the file's arguments");
       out += found->second;
       at = close + 1;
     }
@@ -138,7 +141,9 @@ class Reader {
       const std::string word = text(word_node);
       if (word != "never" && word != "on_failure" && word != "always")
         slip(word_node, "'restart' must be never, on_failure or always");
-      return word == "never" ? RestartWhen::kNever : word == "always" ? RestartWhen::kAlways : RestartWhen::kOnFailure;
+      return word == "never"    ? RestartWhen::kNever
+             : word == "always" ? RestartWhen::kAlways
+                                : RestartWhen::kOnFailure;
     };
     if (node.IsScalar()) {
       params.when = when(node);
@@ -147,7 +152,8 @@ class Reader {
     check_keys(node, "'restart'", {"when", "delay", "longest_delay", "limit", "window"});
     if (node["when"]) params.when = when(node["when"]);
     if (node["delay"]) params.delay = number(node["delay"], "delay", 0.0, 3600.0);
-    if (node["longest_delay"]) params.longest_delay = number(node["longest_delay"], "longest_delay", 0.0, 3600.0);
+    if (node["longest_delay"])
+      params.longest_delay = number(node["longest_delay"], "longest_delay", 0.0, 3600.0);
     if (node["limit"]) params.limit = static_cast<int>(number(node["limit"], "limit", 0.0, 1e6));
     if (node["window"]) params.window = number(node["window"], "window", 0.0, 1e6);
     return params;
@@ -156,14 +162,15 @@ class Reader {
   LaunchedProcess process(const std::string& name, const YAML::Node& key, const YAML::Node& node) const {
     if (name.empty()) slip(key, "a process needs a name");
     check_keys(node, "process '" + name + "'",
-               {"component", "command", "parameters", "params_file", "namespace", "remap", "arguments", "environment",
-                "restart", "required"});
+               {"component", "command", "parameters", "params_file", "namespace", "remap", "arguments",
+                "environment", "restart", "required"});
     LaunchedProcess made;
     made.name = name;
     made.restart = restart_;
     made.environment = environment_;
     if (node["environment"]) {
-      for (auto& [variable, value] : texts_by_name(node["environment"], "environment")) made.environment[variable] = value;
+      for (auto& [variable, value] : texts_by_name(node["environment"], "environment"))
+        made.environment[variable] = value;
     }
     if (node["restart"]) made.restart = restart(node["restart"], restart_);
     if (node["required"]) made.required = flag(node["required"], "required");
@@ -195,7 +202,8 @@ class Reader {
     if (node["params_file"]) {
       const std::filesystem::path file(text(node["params_file"]));
       const std::string path = file.is_absolute() ? file.string() : folder_ + "/" + file.string();
-      if (access(path.c_str(), R_OK) != 0) slip(node["params_file"], "cannot read the parameter file " + path);
+      if (access(path.c_str(), R_OK) != 0)
+        slip(node["params_file"], "cannot read the parameter file " + path);
       add("--params-file", path);
     }
     if (node["parameters"]) {
@@ -215,7 +223,8 @@ class Reader {
     }
     std::vector<std::string> words;
     append(node["command"], words);
-    if (words.empty() || words[0].empty()) slip(node["command"], "'command' must be a list: [PROGRAM, ARGUMENT, …]");
+    if (words.empty() || words[0].empty())
+      slip(node["command"], "'command' must be a list: [PROGRAM, ARGUMENT, …]");
     if (node["arguments"]) append(node["arguments"], words);
     words[0] = executable(words[0], node["command"]);
     return words;
@@ -229,13 +238,15 @@ class Reader {
   std::string executable(const std::string& program, const YAML::Node& node) const {
     if (program.find('/') != std::string::npos) {
       const std::string path = program[0] == '/' ? program : folder_ + "/" + program;
-      if (access(path.c_str(), X_OK) != 0 || std::filesystem::is_directory(path)) slip(node, path + " cannot be executed");
+      if (access(path.c_str(), X_OK) != 0 || std::filesystem::is_directory(path))
+        slip(node, path + " cannot be executed");
       return path;
     }
     std::istringstream folders(surroundings_.search_path);
     for (std::string folder; std::getline(folders, folder, ':');) {
       const std::string path = folder + "/" + program;
-      if (!folder.empty() && access(path.c_str(), X_OK) == 0 && !std::filesystem::is_directory(path)) return path;
+      if (!folder.empty() && access(path.c_str(), X_OK) == 0 && !std::filesystem::is_directory(path))
+        return path;
     }
     slip(node, "there is no program '" + program.substr(0, 60) + "' in PATH");
   }
@@ -255,8 +266,8 @@ std::string place(const std::string& origin, const YAML::Mark& mark) {
 
 }  // namespace
 
-Expected<LaunchPlan> parse_launch(const std::string& text, const std::string& origin, const std::string& folder,
-                                  const std::map<std::string, std::string>& given,
+Expected<LaunchPlan> parse_launch(const std::string& text, const std::string& origin,
+                                  const std::string& folder, const std::map<std::string, std::string>& given,
                                   const LaunchSurroundings& surroundings) {
   try {
     return Reader(folder, surroundings).read(YAML::Load(text), given);
@@ -267,7 +278,8 @@ Expected<LaunchPlan> parse_launch(const std::string& text, const std::string& or
   }
 }
 
-Expected<LaunchPlan> read_launch_file(const std::string& path, const std::map<std::string, std::string>& given,
+Expected<LaunchPlan> read_launch_file(const std::string& path,
+                                      const std::map<std::string, std::string>& given,
                                       const LaunchSurroundings& surroundings) {
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path))

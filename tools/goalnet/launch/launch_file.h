@@ -36,18 +36,19 @@ struct LaunchPlan {
 
 // What a plan needs to know of its surroundings; tests bring their own.
 struct LaunchSurroundings {
-  std::string goalnet;                   // path of the program that runs components
-  std::vector<std::string> components;   // their names
-  std::string search_path;               // as $PATH
+  std::string goalnet;                  // path of the program that runs components
+  std::vector<std::string> components;  // their names
+  std::string search_path;              // as $PATH
 };
 
 // `given` are arguments of the command line. kInvalidRequest, naming file, line and what to do.
-Expected<LaunchPlan> read_launch_file(const std::string& path, const std::map<std::string, std::string>& given,
+Expected<LaunchPlan> read_launch_file(const std::string& path,
+                                      const std::map<std::string, std::string>& given,
                                       const LaunchSurroundings& surroundings);
 
 // The same from text; `origin` stands for the file in messages, relative files are looked for in `folder`.
-Expected<LaunchPlan> parse_launch(const std::string& text, const std::string& origin, const std::string& folder,
-                                  const std::map<std::string, std::string>& given,
+Expected<LaunchPlan> parse_launch(const std::string& text, const std::string& origin,
+                                  const std::string& folder, const std::map<std::string, std::string>& given,
                                   const LaunchSurroundings& surroundings);
 
 }  // namespace goalnet::tools

@@ -44,7 +44,8 @@ class Launcher {
 
  private:
   bool anything_to_do() const {
-    return std::any_of(watched_.begin(), watched_.end(), [](const Watched& one) { return one.child || one.start_at; });
+    return std::any_of(watched_.begin(), watched_.end(),
+                       [](const Watched& one) { return one.child || one.start_at; });
   }
 
   void look_after(Watched& one) {
@@ -83,7 +84,8 @@ class Launcher {
 
   void give_up(const Watched& one, const std::string& why) {
     tell({LaunchEvent::Kind::kGivenUp, one.plan.name, 0, 0, 0.0, why});
-    if (one.plan.required && !lost_) lost_ = Error{Outcome::kComponentLost, one.plan.name + " is lost: " + why};
+    if (one.plan.required && !lost_)
+      lost_ = Error{Outcome::kComponentLost, one.plan.name + " is lost: " + why};
   }
 
   void stop(Watched& one) {
@@ -153,6 +155,8 @@ const char* to_string(LaunchEvent::Kind kind) {
   return "";
 }
 
-Expected<void> launch(const LaunchPlan& plan, const LaunchCallbacks& callbacks) { return Launcher(plan, callbacks).run(); }
+Expected<void> launch(const LaunchPlan& plan, const LaunchCallbacks& callbacks) {
+  return Launcher(plan, callbacks).run();
+}
 
 }  // namespace goalnet::tools

@@ -1,4 +1,5 @@
-// Starts the processes of a plan, watches them, starts them again where the plan says so, and ends them in order.
+// Starts the processes of a plan, watches them, starts them again where the plan says so, and ends them in
+// order.
 #pragma once
 
 #include <functional>
@@ -16,9 +17,9 @@ namespace goalnet::tools {
 struct LaunchEvent {
   enum class Kind { kStarted, kEnded, kRestarting, kGivenUp, kStopping, kKilled } kind;
   std::string process;
-  int pid = 0;            // kStarted, kStopping, kKilled
-  int exit_code = 0;      // kEnded: 128 + signal where one ended it
-  double delay = 0.0;     // [s] kRestarting
+  int pid = 0;               // kStarted, kStopping, kKilled
+  int exit_code = 0;         // kEnded: 128 + signal where one ended it
+  double delay = 0.0;        // [s] kRestarting
   std::string message = {};  // kGivenUp: why
 };
 const char* to_string(LaunchEvent::Kind kind);
@@ -29,9 +30,9 @@ struct LaunchCallbacks {
   std::function<bool()> stop_asked;
 };
 
-// Runs until stop_asked(), until a required process is given up, or until all have ended for good. Then whatever runs
-// is stopped, the last started first: SIGTERM, after `patience` SIGKILL. Returns kDone, or why not: kComponentLost.
-// One thread; it sleeps while there is nothing to do.
+// Runs until stop_asked(), until a required process is given up, or until all have ended for good. Then
+// whatever runs is stopped, the last started first: SIGTERM, after `patience` SIGKILL. Returns kDone, or why
+// not: kComponentLost. One thread; it sleeps while there is nothing to do.
 Expected<void> launch(const LaunchPlan& plan, const LaunchCallbacks& callbacks);
 
 }  // namespace goalnet::tools

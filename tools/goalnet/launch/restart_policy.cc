@@ -7,7 +7,8 @@ namespace goalnet::tools {
 
 RestartPolicy::Decision RestartPolicy::ended(bool failed, double now) {
   using Kind = Decision::Kind;
-  const bool wanted = params_.when == RestartWhen::kAlways || (params_.when == RestartWhen::kOnFailure && failed);
+  const bool wanted =
+      params_.when == RestartWhen::kAlways || (params_.when == RestartWhen::kOnFailure && failed);
   if (!wanted) return {failed ? Kind::kGiveUp : Kind::kStayEnded, now};
   while (!restarts_.empty() && now - restarts_.front() > params_.window) restarts_.pop_front();
   if (static_cast<int>(restarts_.size()) >= params_.limit) return {Kind::kGiveUp, now};
