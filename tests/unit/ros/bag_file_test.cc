@@ -1,79 +1,19 @@
-// Bags as files, without DDS: what is written is what others write, and whatever lies on the disk is read or
-// refused.
+// Bags as files, without DDS: what was written comes back, also from what a killed recorder left.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <regex>
-#include <sstream>
 
-#include "components/ros/bag/bag_reader.h"
 #include "components/ros/bag/bag_repair.h"
 #include "components/ros/bag/bag_writer.h"
-#include "components/ros/bag/offered_qos.h"
+#include "tests/unit/ros/bag_support.h"
 
 namespace goalnet::ros {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-const std::string kReference = GOALNET_SOURCE_DIR "/../shared/data/ros2/";
-
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-void write_file(const fs::path& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
-// All rows of a query, columns joined by "|".
-std::vector<std::string> query(const fs::path& path, const std::string& sql) {
-  sqlite3* database = nullptr;
-  EXPECT_EQ(sqlite3_open_v2(("file:" + path.string() + "?immutable=1").c_str(), &database,
-                            SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr),
-            SQLITE_OK);
-  std::vector<std::string> rows;
-  const auto take = [](void* out, int count, char** values, char**) {
-    std::string row;
-    for (int i = 0; i < count; ++i)
-      row += (i > 0 ? "|" : "") + std::string(values[i] != nullptr ? values[i] : "NULL");
-    static_cast<std::vector<std::string>*>(out)->push_back(row);
-    return 0;
-  };
-  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), take, &rows, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
-  sqlite3_close(database);
-  return rows;
-}
-
-BagTopic topic_named(const std::string& name) {
-  BagTopic topic;
-  topic.name = name;
-  topic.type = "std_msgs/msg/String";
-  topic.type_hash = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18";
-  topic.offered = {{.qos = Qos::latched(), .history_known = true}};
-  topic.definition = "string data\n";
-  return topic;
-}
-
-std::vector<std::uint8_t> payload(int number) {
-  const std::string text = "message " + std::to_string(number);
-  std::vector<std::uint8_t> bytes(8 + text.size() + 1);
-  bytes[1] = 1;  // little endian
-  bytes[4] = static_cast<std::uint8_t>(text.size() + 1);
-  std::copy(text.begin(), text.end(), bytes.begin() + 8);
-  return bytes;
-}
 
 struct Kind {
   BagStorage storage;
@@ -119,28 +59,6 @@ struct BagFolder : testing::Test {
 
 struct BagFileTest : BagFolder, testing::WithParamInterface<Kind> {};
 struct UnfinishedMcap : BagFolder {};
-
-// Messages of a bag, or of what can be read before an error, which ends up in `error`.
-std::vector<BagMessage> read_all(BagReader& bag, std::string& error) {
-  std::vector<BagMessage> messages;
-  BagMessage message;
-  for (;;) {
-    const auto more = bag.next(message);
-    if (!more) error = more.error().message;
-    if (!more || !*more) return messages;
-    messages.push_back(message);
-  }
-}
-
-std::vector<BagMessage> read_all(const std::string& path) {
-  auto bag = BagReader::open(path);
-  EXPECT_TRUE(bag) << bag.error().message;
-  if (!bag) return {};
-  std::string error;
-  auto messages = read_all(**bag, error);
-  EXPECT_EQ(error, "");
-  return messages;
-}
 
 TEST_P(BagFileTest, ComesBackInOrderWithAllThatIsKnown) {
   record(GetParam());
@@ -336,173 +254,6 @@ INSTANTIATE_TEST_SUITE_P(Kinds, BagFileTest,
                                   (one.param.distro == Distro::kJazzy ? "_jazzy" : "_humble") +
                                   (one.param.compress ? "_zstd" : "");
                          });
-
-// ---- against bags that ros2 bag record made ----
-
-struct ReferenceBag : testing::TestWithParam<const char*> {
-  std::string directory() const { return kReference + "bag_" + GetParam() + "_sqlite"; }
-  Distro distro() const { return GetParam() == std::string("humble") ? Distro::kHumble : Distro::kJazzy; }
-  void SetUp() override {
-    if (!fs::exists(kReference))
-      GTEST_SKIP() << "../shared is absent: no bags of ros2 bag record to compare with";
-  }
-};
-
-TEST_P(ReferenceBag, MetadataIsWrittenByteForByteAsRosbag2Does) {
-  const std::string theirs = contents(directory() + "/metadata.yaml");
-  const auto metadata = parse_bag_metadata(theirs);
-  ASSERT_TRUE(metadata) << metadata.error().message;
-  std::string ours = bag_metadata_yaml(*metadata, distro());
-  // They were recorded where ROS_DISTRO was not set.
-  ours = std::regex_replace(ours, std::regex("ros_distro: jazzy$"), "ros_distro: \"\"");
-  EXPECT_EQ(ours, theirs);
-}
-
-TEST_P(ReferenceBag, IsReadWhole) {
-  auto bag = BagReader::open(directory());
-  ASSERT_TRUE(bag) << bag.error().message;
-  std::string error;
-  const auto messages = read_all(**bag, error);
-  EXPECT_EQ(error, "");
-  const auto metadata = read_bag_metadata(directory());
-  EXPECT_EQ(messages.size(), metadata->message_count());
-  EXPECT_EQ(messages.front().log_time, metadata->start());
-  std::map<std::string, std::uint64_t> counts;
-  for (const BagMessage& message : messages) {
-    ++counts[(*bag)->topics()[message.topic].name];
-    EXPECT_EQ(message.payload[1], 1) << "little-endian CDR";
-  }
-  for (const BagTopic& topic : metadata->topics)
-    EXPECT_EQ(counts[topic.name], topic.message_count) << topic.name;
-  EXPECT_TRUE((*bag)->topics()[0].offered.front().qos.transient_local) << "/rosout is latched";
-  EXPECT_EQ((*bag)->topics()[0].offered.front().qos.lifespan, std::chrono::seconds(10));
-}
-
-TEST_P(ReferenceBag, HasTheTablesThatWeMake) {
-  fs::path theirs;
-  for (const auto& entry : fs::directory_iterator(directory())) {
-    if (entry.path().extension() == ".db3") theirs = entry.path();
-  }
-  const fs::path folder = fs::path(testing::TempDir()) / ("reference_bag_" + std::to_string(getpid()));
-  fs::remove_all(folder);
-  BagWriterOptions options;
-  options.directory = folder.string();
-  options.storage = BagStorage::kSqlite;
-  options.file.distro = distro();
-  auto reader = BagReader::open(directory());
-  ASSERT_TRUE(reader);
-  {
-    auto bag = BagWriter::create(options);
-    ASSERT_TRUE(bag);
-    for (const BagTopic& topic : (*reader)->topics()) ASSERT_TRUE((*bag)->add_topic(topic));
-    BagMessage message;
-    for (;;) {
-      const auto more = (*reader)->next(message);
-      ASSERT_TRUE(more);
-      if (!*more) break;
-      ASSERT_TRUE((*bag)->write(message.topic, message.log_time, message.publish_time, message.payload));
-    }
-  }
-  const fs::path ours = folder / (folder.filename().string() + "_0.db3");
-  EXPECT_EQ(query(ours, "SELECT type,name,tbl_name,sql FROM sqlite_master ORDER BY rootpage"),
-            query(theirs, "SELECT type,name,tbl_name,sql FROM sqlite_master ORDER BY rootpage"));
-  for (const std::string sql : {"SELECT schema_version FROM schema", "SELECT * FROM topics ORDER BY id",
-                                "SELECT id,metadata_version FROM metadata",
-                                "SELECT id,topic_id,timestamp,hex(data) FROM messages ORDER BY id",
-                                "PRAGMA encoding", "PRAGMA page_size"}) {
-    EXPECT_EQ(query(ours, sql), query(theirs, sql)) << sql;
-  }
-  if (distro() == Distro::kJazzy) {
-    EXPECT_EQ(query(ours, "SELECT * FROM message_definitions ORDER BY id"),
-              query(theirs, "SELECT * FROM message_definitions ORDER BY id"));
-  }
-  EXPECT_EQ(contents(ours).substr(18, 2), contents(theirs).substr(18, 2)) << "not left in write-ahead mode";
-  fs::remove_all(folder);
-}
-
-INSTANTIATE_TEST_SUITE_P(Distributions, ReferenceBag, testing::Values("humble", "jazzy"),
-                         [](const auto& one) { return std::string(one.param); });
-
-// ---- quality of service ----
-
-TEST(OfferedQosTest, RequestsWhatAllPublishersOffer) {
-  const OfferedQos reliable{.qos = Qos::standard()}, latched{.qos = Qos::latched()},
-      sensor{.qos = Qos::sensor_data()};
-  const auto request = [](std::vector<OfferedQos> offered) { return request_for(offered); };
-  EXPECT_TRUE(request({latched, latched}).transient_local);
-  EXPECT_FALSE(request({latched, reliable}).transient_local);
-  EXPECT_TRUE(request({latched, reliable}).reliable);
-  EXPECT_FALSE(request({reliable, sensor}).reliable);
-  EXPECT_FALSE(request({}).transient_local);
-}
-
-TEST(OfferedQosTest, OffersWhatWasRecordedWherePublishersAgreed) {
-  const OfferedQos latched{.qos = Qos::latched(), .history_known = true},
-      unknown{.qos = Qos::latched().keep_last(0)};
-  const OfferedQos sensor{.qos = Qos::sensor_data()};
-  EXPECT_EQ(offer_in_place_of(std::vector{latched}), Qos::latched());
-  EXPECT_EQ(offer_in_place_of(std::vector{unknown}), Qos::latched().keep_last(10))
-      << "history does not travel";
-  EXPECT_EQ(offer_in_place_of(std::vector{latched, sensor}), Qos::standard())
-      << "mixed: the default, as rosbag2";
-}
-
-TEST(OfferedQosTest, ReadsWordsAndNumbersAndRefusesTheRest) {
-  for (const Distro distro : {Distro::kHumble, Distro::kJazzy}) {
-    const std::vector<OfferedQos> offered{{.qos = Qos::rosout(), .history_known = true},
-                                          {.qos = Qos::sensor_data().keep_last(0)}};
-    const auto read = parse_offered_qos(offered_qos_yaml(offered, distro));
-    ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(*read, offered);
-  }
-  EXPECT_TRUE(parse_offered_qos("")->empty());
-  for (const char* bad : {"- history: 99", "{}", "- 1", "[", "- history: keep_last\n  depth: -1"})
-    EXPECT_FALSE(parse_offered_qos(bad)) << bad;
-}
-
-// ---- metadata of strangers ----
-
-TEST(BagMetadataTest, RefusesWhatItCannotTrust) {
-  BagMetadata metadata;
-  metadata.files.push_back({"a_0.mcap", 5, 6, 7});
-  metadata.topics.push_back(topic_named("/odd: \"name\"\n"));
-  const std::string good = bag_metadata_yaml(metadata, Distro::kJazzy);
-  const auto read = parse_bag_metadata(good);
-  ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->topics[0].name, metadata.topics[0].name) << "no name breaks the file";
-  const auto refused = [&](const std::string& what, const std::string& with) {
-    std::string bad = good;
-    bad = std::regex_replace(bad, std::regex(what), with);
-    EXPECT_NE(bad, good);
-    EXPECT_FALSE(parse_bag_metadata(bad)) << bad;
-  };
-  refused("version: 9", "version: 10");
-  refused("storage_identifier: mcap", "storage_identifier: floppy");
-  refused("path: a_0.mcap", "path: ../../etc/passwd");
-  refused("path: a_0.mcap", "path: /etc/passwd");
-  refused("history: keep_last", "history: keep_some");
-  refused("rosbag2_bagfile_information", "something_else");
-  refused("message_count: 7", "message_count: -7");
-  EXPECT_FALSE(parse_bag_metadata(std::string(100'000, '[')));
-  EXPECT_FALSE(parse_bag_metadata(""));
-}
-
-TEST(BagReaderTest, SaysWhatIsWrong) {
-  const auto message = [](const std::string& path) {
-    const auto bag = BagReader::open(path);
-    return bag ? std::string("opened") : bag.error().message;
-  };
-  EXPECT_THAT(message("/nowhere/bag"), HasSubstr("does not exist"));
-  EXPECT_THAT(message(testing::TempDir()), HasSubstr("no metadata.yaml"));
-  EXPECT_THAT(message(GOALNET_SOURCE_DIR "/LICENSE"), HasSubstr("is no bag"));
-  const std::string odd = testing::TempDir() + "/odd_" + std::to_string(getpid());
-  write_file(odd + ".mcap", "hello");
-  EXPECT_THAT(message(odd + ".mcap"), HasSubstr("is no MCAP file"));
-  write_file(odd + ".db3", std::string(5000, 'x'));
-  EXPECT_THAT(message(odd + ".db3"), HasSubstr("is no bag"));
-  fs::remove(odd + ".mcap");
-  fs::remove(odd + ".db3");
-}
 
 }  // namespace
 }  // namespace goalnet::ros
