@@ -7,38 +7,15 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
 #include <sstream>
+
+#include "tools/goalnet/launch/launch_values.h"
 
 namespace goalnet::tools {
 namespace {
 
 constexpr std::size_t kLargestFile = 1u << 20;
 constexpr std::size_t kMostProcesses = 200;
-
-// Thrown inside this file only: YAML errors come as exceptions anyway.
-struct Slip {
-  YAML::Mark mark;
-  std::string what;
-};
-
-[[noreturn]] void slip(const YAML::Node& node, const std::string& what) { throw Slip{node.Mark(), what}; }
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-void check_keys(const YAML::Node& map, const std::string& what, std::initializer_list<const char*> known) {
-  if (!map.IsMap()) slip(map, what + " must be a map of names and values");
-  for (const auto& entry : map) {
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    slip(entry.first, what + " has no key '" + key.substr(0, 60) +
-                          "'; known: " + listed(std::vector<std::string>(known.begin(), known.end())));
-  }
-}
 
 class Reader {
  public:
@@ -48,19 +25,19 @@ class Reader {
   LaunchPlan read(const YAML::Node& root, const std::map<std::string, std::string>& given) {
     check_keys(root, "a launch file",
                {"arguments", "namespace", "use_sim_time", "environment", "restart", "patience", "processes"});
-    take_arguments(root["arguments"], given);
-    if (root["namespace"]) namespace_ = text(root["namespace"]);
-    if (root["use_sim_time"]) use_sim_time_ = text(root["use_sim_time"]);
-    if (root["environment"]) environment_ = texts_by_name(root["environment"], "environment");
+    values_.take_arguments(root["arguments"], given);
+    if (root["namespace"]) namespace_ = values_.text(root["namespace"]);
+    if (root["use_sim_time"]) use_sim_time_ = values_.text(root["use_sim_time"]);
+    if (root["environment"]) environment_ = values_.texts_by_name(root["environment"], "environment");
     if (root["restart"]) restart_ = restart(root["restart"], restart_);
     LaunchPlan plan;
-    if (root["patience"]) plan.patience = number(root["patience"], "patience", 0.0, 3600.0);
+    if (root["patience"]) plan.patience = values_.number(root["patience"], "patience", 0.0, 3600.0);
     const YAML::Node processes = root["processes"];
     if (!processes || !processes.IsMap() || processes.size() == 0)
       slip(root, "a launch file needs 'processes:' with at least one entry, NAME: {component: NAME}");
     if (processes.size() > kMostProcesses) slip(processes, "more than 200 processes");
     for (const auto& entry : processes) {
-      const std::string name = text(entry.first);
+      const std::string name = values_.text(entry.first);
       const bool twice = std::any_of(plan.processes.begin(), plan.processes.end(),
                                      [&](const LaunchedProcess& one) { return one.name == name; });
       if (twice) slip(entry.first, "there are two processes called '" + name + "'");
@@ -70,75 +47,9 @@ class Reader {
   }
 
  private:
-  void take_arguments(const YAML::Node& declared, const std::map<std::string, std::string>& given) {
-    if (declared) {
-      if (!declared.IsMap()) slip(declared, "'arguments' must be a map of names and default values");
-      for (const auto& entry : declared) {
-        if (!entry.second.IsScalar() && !entry.second.IsNull())
-          slip(entry.second, "an argument's default must be plain text");
-        arguments_[entry.first.as<std::string>()] = entry.second.IsNull() ? "" : entry.second.Scalar();
-      }
-    }
-    for (const auto& [name, value] : given) {
-      if (!arguments_.contains(name)) {
-        std::vector<std::string> known;
-        for (const auto& [one, ignored] : arguments_) known.push_back(one);
-        throw Slip{YAML::Mark::null_mark(),
-                   "there is no argument '" + name.substr(0, 60) +
-                       "'; this file has: " + (known.empty() ? "none" : listed(known))};
-      }
-      arguments_[name] = value;
-    }
-  }
-
-  // A scalar with its ${names} replaced.
-  std::string text(const YAML::Node& node) const {
-    if (!node.IsScalar()) slip(node, "plain text is needed here");
-    const std::string& raw = node.Scalar();
-    std::string out;
-    for (std::size_t at = 0; at < raw.size();) {
-      const std::size_t open = raw.find("${", at);
-      out += raw.substr(at, open - at);
-      if (open == std::string::npos) break;
-      const std::size_t close = raw.find('}', open);
-      if (close == std::string::npos) slip(node, "'${' without '}'");
-      const std::string name = raw.substr(open + 2, close - open - 2);
-      const auto found = arguments_.find(name);
-      if (found == arguments_.end())
-        slip(node, "${" + name.substr(0, 60) + "} is not among the file's arguments");
-      out += found->second;
-      at = close + 1;
-    }
-    return out;
-  }
-
-  double number(const YAML::Node& node, const std::string& name, double least, double most) const {
-    double value = 0;
-    std::istringstream in(text(node));
-    if (!(in >> value) || !in.eof() || !(value >= least && value <= most)) {
-      std::ostringstream what;
-      what << "'" << name << "' must be a number from " << least << " to " << most;
-      slip(node, what.str());
-    }
-    return value;
-  }
-
-  bool flag(const YAML::Node& node, const std::string& name) const {
-    const std::string word = text(node);
-    if (word != "true" && word != "false") slip(node, "'" + name + "' must be true or false");
-    return word == "true";
-  }
-
-  std::map<std::string, std::string> texts_by_name(const YAML::Node& node, const std::string& what) const {
-    if (!node.IsMap()) slip(node, "'" + what + "' must be a map of names and values");
-    std::map<std::string, std::string> out;
-    for (const auto& entry : node) out[text(entry.first)] = text(entry.second);
-    return out;
-  }
-
   RestartParams restart(const YAML::Node& node, RestartParams params) const {
     const auto when = [&](const YAML::Node& word_node) {
-      const std::string word = text(word_node);
+      const std::string word = values_.text(word_node);
       if (word != "never" && word != "on_failure" && word != "always")
         slip(word_node, "'restart' must be never, on_failure or always");
       return word == "never"    ? RestartWhen::kNever
@@ -151,11 +62,11 @@ class Reader {
     }
     check_keys(node, "'restart'", {"when", "delay", "longest_delay", "limit", "window"});
     if (node["when"]) params.when = when(node["when"]);
-    if (node["delay"]) params.delay = number(node["delay"], "delay", 0.0, 3600.0);
+    if (node["delay"]) params.delay = values_.number(node["delay"], "delay", 0.0, 3600.0);
     if (node["longest_delay"])
-      params.longest_delay = number(node["longest_delay"], "longest_delay", 0.0, 3600.0);
-    if (node["limit"]) params.limit = static_cast<int>(number(node["limit"], "limit", 0.0, 1e6));
-    if (node["window"]) params.window = number(node["window"], "window", 0.0, 1e6);
+      params.longest_delay = values_.number(node["longest_delay"], "longest_delay", 0.0, 3600.0);
+    if (node["limit"]) params.limit = static_cast<int>(values_.number(node["limit"], "limit", 0.0, 1e6));
+    if (node["window"]) params.window = values_.number(node["window"], "window", 0.0, 1e6);
     return params;
   }
 
@@ -169,11 +80,11 @@ class Reader {
     made.restart = restart_;
     made.environment = environment_;
     if (node["environment"]) {
-      for (auto& [variable, value] : texts_by_name(node["environment"], "environment"))
+      for (auto& [variable, value] : values_.texts_by_name(node["environment"], "environment"))
         made.environment[variable] = value;
     }
     if (node["restart"]) made.restart = restart(node["restart"], restart_);
-    if (node["required"]) made.required = flag(node["required"], "required");
+    if (node["required"]) made.required = values_.flag(node["required"], "required");
     if (node["component"].IsDefined() == node["command"].IsDefined())
       slip(key, "process '" + name + "' needs either 'component: NAME' or 'command: [PROGRAM, …]'");
     made.command = node["component"] ? component(name, node) : command(node);
@@ -181,7 +92,7 @@ class Reader {
   }
 
   std::vector<std::string> component(const std::string& name, const YAML::Node& node) const {
-    const std::string kind = text(node["component"]);
+    const std::string kind = values_.text(node["component"]);
     const auto& known = surroundings_.components;
     if (std::find(known.begin(), known.end(), kind) == known.end())
       slip(node["component"], "there is no component '" + kind.substr(0, 60) + "'; known: " + listed(known));
@@ -190,7 +101,7 @@ class Reader {
       words.push_back(flag);
       words.push_back(value);
     };
-    const std::string space = node["namespace"] ? text(node["namespace"]) : namespace_;
+    const std::string space = node["namespace"] ? values_.text(node["namespace"]) : namespace_;
     if (!space.empty() && space != "/") {
       add("-r", "__ns:=" + space);
       // Transforms carry the same frame names for every robot.
@@ -200,18 +111,19 @@ class Reader {
     if (name != kind) add("-r", "__node:=" + name);
     if (!use_sim_time_.empty() && kind != "simulator") add("-p", "use_sim_time:=" + use_sim_time_);
     if (node["params_file"]) {
-      const std::filesystem::path file(text(node["params_file"]));
+      const std::filesystem::path file(values_.text(node["params_file"]));
       const std::string path = file.is_absolute() ? file.string() : folder_ + "/" + file.string();
       if (access(path.c_str(), R_OK) != 0)
         slip(node["params_file"], "cannot read the parameter file " + path);
       add("--params-file", path);
     }
     if (node["parameters"]) {
-      for (const auto& [parameter, value] : texts_by_name(node["parameters"], "parameters"))
+      for (const auto& [parameter, value] : values_.texts_by_name(node["parameters"], "parameters"))
         add("-p", parameter + ":=" + (value.empty() ? "''" : value));
     }
     if (node["remap"]) {
-      for (const auto& [from, to] : texts_by_name(node["remap"], "remap")) add("-r", from + ":=" + to);
+      for (const auto& [from, to] : values_.texts_by_name(node["remap"], "remap"))
+        add("-r", from + ":=" + to);
     }
     if (node["arguments"]) append(node["arguments"], words);
     return words;
@@ -232,7 +144,7 @@ class Reader {
 
   void append(const YAML::Node& list, std::vector<std::string>& words) const {
     if (!list.IsSequence()) slip(list, "a list of words is needed here: [PROGRAM, ARGUMENT, …]");
-    for (const auto& word : list) words.push_back(text(word));
+    for (const auto& word : list) words.push_back(values_.text(word));
   }
 
   std::string executable(const std::string& program, const YAML::Node& node) const {
@@ -253,7 +165,7 @@ class Reader {
 
   const std::string folder_;
   const LaunchSurroundings& surroundings_;
-  std::map<std::string, std::string> arguments_;
+  LaunchValues values_;
   std::string namespace_;
   std::string use_sim_time_;
   std::map<std::string, std::string> environment_;
