@@ -185,6 +185,8 @@ class Compiler {
       if (cases > kMostCases) break;
     }
     if (cases > kMostCases) comparisons.clear();
+    flat_.clear();
+    flatten(action.effect, {}, Formula{}, &flat_);
     split_cases(index, comparisons, 0, {});
   }
 
@@ -224,12 +226,11 @@ class Compiler {
     const Formula precondition = normaliser.normalise(action.precondition);
     if (precondition.kind == Formula::Kind::kFalse) return;
     std::vector<FlatEffect> effects;
-    flatten(action.effect, {}, Formula{}, &effects);
-    for (FlatEffect& effect : effects) {
-      effect.condition = normaliser.normalise(effect.condition);
-      effect.atom = normaliser.substitute(effect.atom);
+    for (const FlatEffect& flat : flat_) {
+      Formula condition = normaliser.normalise(flat.condition);
+      if (condition.kind == Formula::Kind::kFalse) continue;
+      effects.push_back({flat.variables, std::move(condition), normaliser.substitute(flat.atom), flat.negative});
     }
-    std::erase_if(effects, [](const FlatEffect& e) { return e.condition.kind == Formula::Kind::kFalse; });
     for (Formula& alternative : alternatives(precondition, kMostDisjuncts)) {
       CompiledSchema schema;
       schema.action = index;
@@ -320,6 +321,7 @@ class Compiler {
   }
 
   CompiledDomain& compiled_;
+  std::vector<FlatEffect> flat_;  // of the action at hand
 };
 
 }  // namespace

@@ -96,13 +96,27 @@ bool dominates(const Domain& domain, const CompiledSchema& b, const CompiledSche
 void mark_dominated_effects(CompiledDomain& compiled) {
   // Quadratic in the number of schemas; domains with very many would only gain from it by luck.
   if (compiled.schemas.size() > 400) return;
+  const auto kind = [](const LiteralPattern& literal) {
+    return 2 * static_cast<std::size_t>(literal.atom.predicate) + (literal.negative ? 1 : 0);
+  };
+  // By kind of literal: the schemas that produce it; most pairs of schemas have nothing in common.
+  std::vector<std::vector<const CompiledSchema*>> producers(2 * static_cast<std::size_t>(compiled.domain.predicates.size()));
+  for (const CompiledSchema& b : compiled.schemas) {
+    if (!b.cost.functions.empty() || !b.precondition.complex.empty() || !b.precondition.equalities.empty()) continue;
+    for (const CompiledEffect& effect : b.effects) {
+      auto& list = producers[kind(effect.literal)];
+      if (effect.variables.empty() && (list.empty() || list.back() != &b)) list.push_back(&b);
+    }
+  }
   for (CompiledSchema& a : compiled.schemas) {
     for (CompiledEffect& effect : a.effects) {
       if (!effect.variables.empty()) continue;
+      const auto& candidates = producers[kind(effect.literal)];
       // B must have fewer parameters, so that no two schemas dominate each other.
-      effect.dominated = std::any_of(compiled.schemas.begin(), compiled.schemas.end(), [&](const CompiledSchema& b) {
-        if (&a == &b || b.parameter_count >= a.parameter_count) return false;
-        return dominates(compiled.domain, b, a, effect);
+      effect.dominated = std::any_of(candidates.begin(), candidates.end(), [&](const CompiledSchema* b) {
+        if (&a == b || b->parameter_count >= a.parameter_count) return false;
+        if (b->precondition.fluent.size() > a.precondition.fluent.size() || b->effects.size() > a.effects.size()) return false;
+        return dominates(compiled.domain, *b, a, effect);
       });
     }
   }

@@ -11,7 +11,7 @@ Pair ordered(Literal a, Literal b) { return a < b ? Pair{a, b} : Pair{b, a}; }
 class Prover {
  public:
   Prover(const GroundTask& task, Budget& budget) : task_(task), budget_(budget), producers_(task.needed.size()) {
-    for (std::size_t a = 0; a < task.actions.size(); ++a) {
+    for (std::size_t a = 0; a < task.actions.size() && !budget.poll(); ++a) {
       for (const GroundEffect& effect : task.effects_of(task.actions[a])) {
         producers_[static_cast<std::size_t>(effect.literal)].push_back(static_cast<std::int32_t>(a));
       }
@@ -51,6 +51,7 @@ class Prover {
   // No action that produces p leaves q true.
   bool step(Literal p, Literal q) {
     for (const std::int32_t a : producers_[static_cast<std::size_t>(p)]) {
+      if (budget_.poll()) return false;
       const GroundAction& action = task_.actions[static_cast<std::size_t>(a)];
       bool destroys = false, produces = false;
       for (const GroundEffect& effect : task_.effects_of(action)) {
@@ -99,6 +100,7 @@ std::optional<std::pair<Literal, Literal>> find_goal_mutex(const GroundTask& tas
   constexpr std::size_t kMostGoals = 60;
   if (task.goal.size() > kMostGoals || !task.axioms.empty()) return std::nullopt;
   Prover prover(task, budget);
+  if (budget.stopped()) return std::nullopt;
   for (std::size_t i = 0; i < task.goal.size(); ++i) {
     for (std::size_t j = 0; j < i && !budget.poll(); ++j) {
       if (task.goal[i] < 0 || task.goal[j] < 0) continue;

@@ -10,8 +10,7 @@ constexpr std::int64_t kUndone =
 }  // namespace
 
 void GreedySearch::push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action) {
-  queue.heap.push_back({h, serial_++, parent, action});
-  std::push_heap(queue.heap.begin(), queue.heap.end());
+  queue.heap.push({h, serial_++, parent, action});
 }
 
 bool GreedySearch::pop(Entry* entry) {
@@ -20,10 +19,12 @@ bool GreedySearch::pop(Entry* entry) {
     queue = &preferred_;
   if (queue->heap.empty()) return false;
   ++queue->priority;
-  std::pop_heap(queue->heap.begin(), queue->heap.end());
-  *entry = queue->heap.back();
-  queue->heap.pop_back();
+  *entry = queue->heap.pop();
   return true;
+}
+
+std::int64_t GreedySearch::bytes() const {
+  return states_.bytes() + static_cast<std::int64_t>(all_.heap.bytes() + preferred_.heap.bytes() + nodes_.bytes());
 }
 
 void GreedySearch::note_goals(const GroundTask& task) {
@@ -49,13 +50,14 @@ std::int64_t GreedySearch::undone_goals(const GroundTask& task, const RelaxedPla
 }
 
 std::int32_t GreedySearch::look_ahead(const GroundTask& task, const RelaxedPlanner& heuristic,
-                                      std::int32_t id, std::int64_t upper_bound) {
+                                      std::int32_t id, std::int64_t upper_bound, Budget& budget) {
   rest_ = heuristic.actions();
   const std::int32_t first_new = states_.size();
   for (bool progress = true; progress && !rest_.empty();) {
     progress = false;
     std::size_t kept = 0;
     for (const std::int32_t number : rest_) {
+      if (budget.poll()) return -1;
       const GroundAction& action = task.actions[static_cast<std::size_t>(number)];
       const std::int64_t g = nodes_[static_cast<std::size_t>(id)].g + action.cost;
       if (g >= upper_bound || !action_applies(task, states_.state(id), action)) {
@@ -81,8 +83,10 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   states_.restart(words, false);
   nodes_.clear();
-  all_ = Queue{};
-  preferred_ = Queue{};
+  for (Queue* queue : {&all_, &preferred_}) {
+    queue->heap.clear();
+    queue->priority = 0;
+  }
   serial_ = 0;
   next_.resize(words);
   note_goals(task);
@@ -114,7 +118,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
       }
       if (h >= before) break;
       before = h;
-      id = look_ahead(task, heuristic, id, upper_bound);
+      id = look_ahead(task, heuristic, id, upper_bound, budget);
     }
     return -1;
   };
@@ -181,10 +185,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
       result = Result::kStopped;
       break;
     }
-    const auto bytes =
-        states_.bytes() +
-        static_cast<std::int64_t>((all_.heap.capacity() + preferred_.heap.capacity()) * sizeof(Entry));
-    if (evaluated > most_states || (most_bytes > 0 && bytes > most_bytes)) {
+    if (evaluated > most_states || (most_bytes > 0 && bytes() > most_bytes)) {
       result = evaluated > most_states ? Result::kLimit : Result::kMemory;
       break;
     }
@@ -211,11 +212,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
     }
   }
   statistics.evaluated += evaluated;
-  statistics.peak_bytes = std::max(
-      statistics.peak_bytes,
-      states_.bytes() +
-          static_cast<std::int64_t>((all_.heap.capacity() + preferred_.heap.capacity()) * sizeof(Entry) +
-                                    nodes_.capacity() * sizeof(Node)));
+  statistics.peak_bytes = std::max(statistics.peak_bytes, bytes());
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "components/planner/budget.h"
+#include "components/planner/chunks.h"
 #include "components/planner/plan.h"
 #include "components/planner/relaxed_plan.h"
 #include "components/planner/state_table.h"
@@ -45,22 +46,23 @@ class GreedySearch {
     bool operator<(const Entry& other) const { return h != other.h ? h > other.h : serial > other.serial; }
   };
   struct Queue {
-    std::vector<Entry> heap;
+    ChunkedHeap<Entry> heap;
     std::int64_t priority = 0;
   };
 
   bool pop(Entry* entry);
+  std::int64_t bytes() const;
   void note_goals(const GroundTask& task);
   // Goals that hold in `state` but that the last relaxed plan would undo: they were reached too early.
   std::int64_t undone_goals(const GroundTask& task, const RelaxedPlanner& heuristic, const Word* state);
   // Carries out the last relaxed plan from state `id`, as far as its actions apply in some order. The new
   // state where that ends, or -1.
   std::int32_t look_ahead(const GroundTask& task, const RelaxedPlanner& heuristic, std::int32_t id,
-                          std::int64_t upper_bound);
+                          std::int64_t upper_bound, Budget& budget);
   void push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action);
 
   StateTable states_;
-  std::vector<Node> nodes_;
+  Chunks<Node> nodes_;
   Queue all_, preferred_;
   std::int64_t serial_ = 0;
   std::vector<Word> next_;

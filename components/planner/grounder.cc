@@ -39,6 +39,7 @@ Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal, cons
   const auto& parts = goal.kind == Formula::Kind::kAnd ? goal.children : single;
   for (const Formula& part : parts) {
     const Value value = instantiate(part);
+    if (stopped_) return Result::kStopped;
     if (value.kind == Value::Kind::kFalse) {
       task.goal_impossible = true;
       return Result::kDone;
@@ -53,7 +54,7 @@ Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal, cons
   if (too_large_) return Result::kTooLarge;
   if (stopped_) return Result::kStopped;
   finish();
-  return Result::kDone;
+  return stopped_ ? Result::kStopped : Result::kDone;
 }
 
 void Grounder::need(ConditionId condition) {
@@ -477,6 +478,7 @@ void Grounder::gather_side_effects() {
   side_effects_.clear();
   const std::size_t literals = task_->needed.size();
   for (std::size_t i = 0; i < literals && !stopped_; ++i) {
+    if (budget_->poll()) stopped_ = true;
     const auto literal = static_cast<Literal>(i);
     const bool wanted = task_->needed[i] != 0;
     if (!wanted && task_->needed[static_cast<std::size_t>(opposite(literal))] == 0) continue;
@@ -492,6 +494,8 @@ void Grounder::gather_side_effects() {
   // A plan may have to make sure that a conditional effect does not happen.
   const auto protect = [this](const std::vector<RawEffect>& effects) {
     for (const RawEffect& raw : effects) {
+      if (budget_->poll()) stopped_ = true;
+      if (stopped_) return;
       if (!raw.effect.conditional() || task_->needed[static_cast<std::size_t>(opposite(raw.effect.literal))] == 0) {
         continue;
       }
@@ -569,7 +573,10 @@ void Grounder::finish_axioms() {
 void Grounder::finish() {
   std::vector<GroundAction>& actions = task_->actions;
   effects_.insert(effects_.end(), side_effects_.begin(), side_effects_.end());
-  for (const RawEffect& raw : effects_) ++actions[static_cast<std::size_t>(raw.action)].effect_end;
+  for (const RawEffect& raw : effects_) {
+    if (stopped_ = budget_->poll(); stopped_) return;
+    ++actions[static_cast<std::size_t>(raw.action)].effect_end;
+  }
   std::uint32_t total = 0;
   for (GroundAction& action : actions) {
     const std::uint32_t count = action.effect_end;
@@ -579,6 +586,7 @@ void Grounder::finish() {
   task_->effects.resize(total);
   for (const Literal negative : {1, 0}) {
     for (const RawEffect& raw : effects_) {
+      if (stopped_ = budget_->poll(); stopped_) return;
       if ((raw.effect.literal & 1) != negative) continue;
       task_->effects[actions[static_cast<std::size_t>(raw.action)].effect_end++] = raw.effect;
       task_->changes[static_cast<std::size_t>(raw.effect.literal >> 1)] = 1;

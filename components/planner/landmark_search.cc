@@ -8,8 +8,7 @@ constexpr std::int64_t kBoost = 1000;  // how long preferred actions are favoure
 }  // namespace
 
 void LandmarkSearch::push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action) {
-  queue.heap.push_back({h, serial_++, parent, action});
-  std::push_heap(queue.heap.begin(), queue.heap.end());
+  queue.heap.push({h, serial_++, parent, action});
 }
 
 bool LandmarkSearch::pop(Entry* entry) {
@@ -19,17 +18,14 @@ bool LandmarkSearch::pop(Entry* entry) {
   }
   if (best == nullptr) return false;
   ++best->priority;
-  std::pop_heap(best->heap.begin(), best->heap.end());
-  *entry = best->heap.back();
-  best->heap.pop_back();
+  *entry = best->heap.pop();
   return true;
 }
 
 std::int64_t LandmarkSearch::bytes() const {
   std::size_t entries = 0;
-  for (const Queue& queue : queues_) entries += queue.heap.capacity();
-  return states_.bytes() + static_cast<std::int64_t>(entries * sizeof(Entry) + nodes_.capacity() * sizeof(Node) +
-                                                     reached_.capacity() * sizeof(Word));
+  for (const Queue& queue : queues_) entries += queue.heap.bytes();
+  return states_.bytes() + static_cast<std::int64_t>(entries + nodes_.bytes() + reached_.bytes());
 }
 
 // Evaluates a state and queues its successors.
@@ -68,10 +64,13 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   states_.restart(words, false);
   nodes_.clear();
-  for (Queue& queue : queues_) queue = Queue{};
+  for (Queue& queue : queues_) {
+    queue.heap.clear();
+    queue.priority = 0;
+  }
   landmark_words_ = landmarks.words();
-  reached_.assign(landmark_words_, 0);
-  next_reached_.resize(landmark_words_);
+  reached_.restart(landmark_words_);
+  next_reached_.assign(landmark_words_, 0);
   next_.resize(words);
   preferred_.assign(task.actions.size(), 0);
   serial_ = 0;
@@ -81,7 +80,8 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
   bool is_new = false;
   states_.add(initial, initial, &is_new);
   nodes_.push_back({});
-  landmarks.note(initial, reached(0));
+  landmarks.note(initial, next_reached_.data());
+  reached_.push_back(next_reached_.data());
   open(task, heuristic, landmarks, 0, budget, statistics);
   Result result = Result::kExhausted;
   Entry entry{};
@@ -104,7 +104,7 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
     nodes_.push_back({g, entry.parent, entry.action});
     std::copy_n(reached(entry.parent), landmark_words_, next_reached_.begin());
     landmarks.note(next_.data(), next_reached_.data());
-    reached_.insert(reached_.end(), next_reached_.begin(), next_reached_.end());
+    reached_.push_back(next_reached_.data());
     if (all_hold(task, next_.data(), task.goal)) {
       for (std::int32_t at = id; nodes_[static_cast<std::size_t>(at)].parent >= 0;
            at = nodes_[static_cast<std::size_t>(at)].parent) {

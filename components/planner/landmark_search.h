@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "components/planner/budget.h"
+#include "components/planner/chunks.h"
 #include "components/planner/greedy_search.h"
 #include "components/planner/landmarks.h"
 #include "components/planner/plan.h"
@@ -40,7 +41,7 @@ class LandmarkSearch {
     bool operator<(const Entry& other) const { return h != other.h ? h > other.h : serial > other.serial; }
   };
   struct Queue {
-    std::vector<Entry> heap;
+    ChunkedHeap<Entry> heap;
     std::int64_t priority = 0;
   };
   enum QueueKind : std::size_t { kByPlan, kByPlanPreferred, kByLandmarks, kByLandmarksPreferred, kQueues };
@@ -50,11 +51,11 @@ class LandmarkSearch {
   void open(const GroundTask& task, RelaxedPlanner& heuristic, Landmarks& landmarks, std::int32_t id,
             Budget& budget, Statistics& statistics);
   std::int64_t bytes() const;
-  Word* reached(std::int32_t id) { return reached_.data() + static_cast<std::size_t>(id) * landmark_words_; }
+  const Word* reached(std::int32_t id) { return reached_[static_cast<std::size_t>(id)]; }
 
   StateTable states_;
-  std::vector<Node> nodes_;
-  std::vector<Word> reached_;  // by state: its landmarks
+  Chunks<Node> nodes_;
+  Rows reached_;  // by state: its landmarks
   std::size_t landmark_words_ = 1;
   std::array<Queue, kQueues> queues_;
   std::int64_t serial_ = 0, best_by_plan_ = 0, best_by_landmarks_ = 0;

@@ -104,7 +104,7 @@ void Landmarks::add_order(std::int32_t before, std::int32_t after, bool reasonab
 }
 
 // What must have been true before a landmark can first become true, and what holds right before that.
-void Landmarks::order_by_need() {
+void Landmarks::order_by_need(Budget& budget) {
   just_before_.assign(conditions_.size(), {});
   just_after_.assign(conditions_.size(), {});
   needed_for_.assign(conditions_.size(), {});
@@ -120,6 +120,7 @@ void Landmarks::order_by_need() {
     std::vector<std::int32_t> shared, always;
     std::vector<Literal> effects;
     for (const std::int32_t producer : relaxed_->producers(p)) {
+      if (budget.poll()) return;
       const RelaxedOperator& op = relaxed_->operators()[static_cast<std::size_t>(producer)];
       std::vector<std::int32_t> needs;
       bool can_be_first = true;
@@ -190,7 +191,7 @@ void Landmarks::order_reasonably(const PairReachability& pairs, Budget& budget) 
   for (std::int32_t b = 0; b < count() && !budget.poll(); ++b) {
     const auto i = static_cast<std::size_t>(b);
     if (is_goal_[i] != 0) {  // b holds in the end, so what would destroy it comes before it
-      for (std::int32_t a = 0; a < count(); ++a) {
+      for (std::int32_t a = 0; a < count() && !budget.poll(); ++a) {
         if (a != b && known_[static_cast<std::size_t>(relaxed_->of(conditions_[static_cast<std::size_t>(a)]))] != 2 &&
             interferes(a, b, pairs)) {
           add_order(a, b, true);
@@ -200,7 +201,7 @@ void Landmarks::order_reasonably(const PairReachability& pairs, Budget& budget) 
     }
     // b is needed right before some c; whatever else must come before c and would destroy b comes before b.
     for (const std::int32_t c : just_after_[i]) {
-      for (std::int32_t a = 0; a < count(); ++a) {
+      for (std::int32_t a = 0; a < count() && !budget.poll(); ++a) {
         if (a == b || a == c || !in(row(after_all_, a), c)) continue;
         if (interferes(a, b, pairs)) add_order(a, b, true);
       }
@@ -234,7 +235,7 @@ void Landmarks::find(const RelaxedTask& relaxed, const PairReachability& pairs, 
   }
   before_.assign(conditions_.size() * words_, 0);
   after_all_.assign(conditions_.size() * words_, 0);
-  order_by_need();
+  order_by_need(budget);
   order_reasonably(pairs, budget);
   sets_ = {};
   std::vector<int> later(conditions_.size(), 0);

@@ -32,7 +32,7 @@ class Landmarks {
 
  private:
   void collect(const Word* initial, Budget& budget);
-  void order_by_need();
+  void order_by_need(Budget& budget);
   void order_reasonably(const PairReachability& pairs, Budget& budget);
   bool interferes(std::int32_t first, std::int32_t second, const PairReachability& pairs) const;
   // `reasonable`: not a must, but the other way round something would be done twice.

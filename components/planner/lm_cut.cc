@@ -35,14 +35,14 @@ void LmCut::reach(Proposition p, std::int64_t cost) {
 }
 
 // h-max from `state`: every operator remembers its most expensive precondition, the supporter.
-void LmCut::explore(const Word* state) {
+void LmCut::explore(const Word* state, Budget& budget) {
   const auto& operators = relaxed_->operators();
   std::fill(proposition_cost_.begin(), proposition_cost_.end(), kUnreached);
   unsatisfied_ = precondition_count_;
   queue_.clear();
   relaxed_->for_each_true(state, [this](Literal literal) { reach(literal, 0); });
   reach(relaxed_->always(), 0);
-  while (!queue_.empty()) {
+  while (!queue_.empty() && !budget.poll()) {
     const auto [cost, p] = queue_.pop();
     if (cost != proposition_cost_[static_cast<std::size_t>(p)]) continue;
     for (const std::int32_t user : relaxed_->users(p)) {
@@ -69,7 +69,7 @@ void LmCut::update_supporter(std::int32_t index) {
 }
 
 // After the costs of the cut's actions went down: only what gets cheaper is visited.
-void LmCut::propagate() {
+void LmCut::propagate(Budget& budget) {
   const auto& operators = relaxed_->operators();
   queue_.clear();
   for (const std::int32_t action : cut_actions_) {
@@ -80,7 +80,7 @@ void LmCut::propagate() {
       for (const Proposition effect : relaxed_->effects(operators[i])) reach(effect, cost);
     }
   }
-  while (!queue_.empty()) {
+  while (!queue_.empty() && !budget.poll()) {
     const auto [cost, p] = queue_.pop();
     if (cost != proposition_cost_[static_cast<std::size_t>(p)]) continue;
     for (const std::int32_t user : relaxed_->users(p)) {
@@ -102,7 +102,7 @@ void LmCut::propagate() {
 // enter it from outside, so one precondition of each must be in the zone. Any that itself costs something will do (the
 // classical choice is the dearest); taking those that most operators share keeps the zone, and with it the cut, small,
 // and leaves more for later cuts. With forty cups to pour from, this is the difference between 6 and 10.
-void LmCut::mark_goal_zone(Proposition goal) {
+void LmCut::mark_goal_zone(Proposition goal, Budget& budget) {
   constexpr std::size_t kMostPending = 400;  // beyond, choosing well costs more than it gives
   const auto enter = [this](Proposition p) {
     in_zone_[static_cast<std::size_t>(p)] = 1;
@@ -117,7 +117,7 @@ void LmCut::mark_goal_zone(Proposition goal) {
   zone_.clear();
   pending_.clear();
   enter(goal);
-  while (true) {
+  while (!budget.poll()) {
     std::erase_if(pending_, [this](std::int32_t op) {
       return needs_zone(relaxed_->operators()[static_cast<std::size_t>(op)]);
     });
@@ -156,7 +156,7 @@ bool LmCut::needs_zone(const RelaxedOperator& op) const {
 
 // The cut: operators that can be the first to enter the zone, because all they need is reached outside of it.
 // Which of the producers these are is found by exploring the relaxation without the zone.
-void LmCut::find_cut(const Word* state) {
+void LmCut::find_cut(const Word* state, Budget& budget) {
   const auto& operators = relaxed_->operators();
   cut_.clear();
   missing_ = precondition_count_;
@@ -170,7 +170,7 @@ void LmCut::find_cut(const Word* state) {
   };
   relaxed_->for_each_true(state, visit);
   visit(relaxed_->always());
-  while (!stack_.empty()) {
+  while (!stack_.empty() && !budget.poll()) {
     const Proposition p = stack_.back();
     stack_.pop_back();
     for (const std::int32_t user : relaxed_->users(p)) {
@@ -195,15 +195,16 @@ bool LmCut::reachable(ConditionId condition) const {
 std::int64_t LmCut::evaluate(const Word* state, Budget& budget) {
   const auto& actions = relaxed_->task().actions;
   for (std::size_t i = 0; i < actions.size(); ++i) cost_left_[i] = actions[i].cost;
-  explore(state);
+  explore(state, budget);
+  if (budget.stopped()) return 0;
   const auto goal = static_cast<std::size_t>(relaxed_->goal());
   if (proposition_cost_[goal] >= kUnreached) return kDeadEnd;
   std::int64_t total = 0;
   while (proposition_cost_[goal] > 0 && !budget.poll()) {
-    mark_goal_zone(relaxed_->goal());
-    find_cut(state);
+    mark_goal_zone(relaxed_->goal(), budget);
+    find_cut(state, budget);
     for (const Proposition p : zone_) in_zone_[static_cast<std::size_t>(p)] = 0;
-    if (cut_.empty()) break;
+    if (cut_.empty() || budget.stopped()) break;
     std::int64_t cheapest = INT64_MAX;
     cut_actions_.clear();
     for (const std::int32_t op : cut_) {
@@ -219,7 +220,7 @@ std::int64_t LmCut::evaluate(const Word* state, Budget& budget) {
       cost_left_[static_cast<std::size_t>(action)] -= cheapest;
     }
     total += cheapest;
-    propagate();
+    propagate(budget);
   }
   return total;
 }

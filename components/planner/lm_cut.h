@@ -19,7 +19,7 @@ class LmCut {
 
   void restart(const RelaxedTask& relaxed);
   // kDeadEnd if the goal is not even reachable in the relaxation. When the budget runs out in the middle, what was
-  // counted so far is returned, which is admissible too.
+  // counted so far is returned, which is admissible too; reachable() then means nothing.
   std::int64_t evaluate(const Word* state, Budget& budget);
 
   // Whether the relaxation reaches this from the state last evaluated.
@@ -30,13 +30,13 @@ class LmCut {
   std::int64_t cost_left_to(Proposition p) const { return proposition_cost_[static_cast<std::size_t>(p)]; }
 
  private:
-  void explore(const Word* state);
-  void propagate();
+  void explore(const Word* state, Budget& budget);
+  void propagate(Budget& budget);
   void reach(Proposition p, std::int64_t cost);
   void update_supporter(std::int32_t op);
-  void mark_goal_zone(Proposition p);
+  void mark_goal_zone(Proposition p, Budget& budget);
   bool needs_zone(const RelaxedOperator& op) const;
-  void find_cut(const Word* state);
+  void find_cut(const Word* state, Budget& budget);
 
   const RelaxedTask* relaxed_ = nullptr;
   std::vector<std::int64_t> cost_left_;       // by action

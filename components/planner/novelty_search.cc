@@ -24,14 +24,12 @@ bool NoveltySearch::is_new(const GroundTask& task, const Word* state, std::int32
 
 std::int32_t NoveltySearch::push(const GroundTask& task, Landmarks& landmarks, std::int32_t id, bool committed) {
   const std::int32_t missing = landmarks.missing(states_.state(id), reached(id));
-  heap_.push_back({is_new(task, states_.state(id), missing) ? 0 : 1, committed ? 0 : missing, id});
-  std::push_heap(heap_.begin(), heap_.end());
+  heap_.push({is_new(task, states_.state(id), missing) ? 0 : 1, committed ? 0 : missing, id});
   return missing;
 }
 
 std::int64_t NoveltySearch::bytes() const {
-  return states_.bytes() + static_cast<std::int64_t>(heap_.capacity() * sizeof(Entry) + nodes_.capacity() * sizeof(Node) +
-                                                     reached_.capacity() * sizeof(Word));
+  return states_.bytes() + static_cast<std::int64_t>(reached_.bytes() + heap_.bytes() + nodes_.bytes());
 }
 
 NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& landmarks, const Word* initial,
@@ -45,20 +43,19 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
   seen_true_.clear();
   seen_false_.clear();
   landmark_words_ = landmarks.words();
-  reached_.assign(landmark_words_, 0);
+  reached_.restart(landmark_words_);
   next_.resize(words);
-  next_reached_.resize(landmark_words_);
+  next_reached_.assign(landmark_words_, 0);
   plan_.clear();
   bool is_new_state = false;
   states_.add(initial, initial, &is_new_state);
   nodes_.push_back({});
-  landmarks.note(initial, reached(0));
+  landmarks.note(initial, next_reached_.data());
+  reached_.push_back(next_reached_.data());
   std::int32_t fewest = push(task, landmarks, 0, committed);
   Result result = Result::kExhausted;
   while (!heap_.empty() && result == Result::kExhausted) {
-    std::pop_heap(heap_.begin(), heap_.end());
-    const std::int32_t id = heap_.back().node;
-    heap_.pop_back();
+    const std::int32_t id = heap_.pop().node;
     ++statistics.expanded;
     successors_.applicable(states_.state(id), &applicable_);
     for (const std::int32_t number : applicable_) {
@@ -85,12 +82,13 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
       }
       std::copy_n(reached(id), landmark_words_, next_reached_.begin());
       landmarks.note(next_.data(), next_reached_.data());
-      reached_.insert(reached_.end(), next_reached_.begin(), next_reached_.end());
+      reached_.push_back(next_reached_.data());
       const std::int32_t missing = push(task, landmarks, child, committed);
       if (missing >= fewest) continue;
       fewest = missing;
       if (!committed) continue;
-      heap_.assign(1, {0, 0, child});
+      heap_.clear();
+      heap_.push({0, 0, child});
       seen_true_.clear();
       seen_false_.clear();
       break;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "components/planner/budget.h"
+#include "components/planner/chunks.h"
 #include "components/planner/greedy_search.h"
 #include "components/planner/landmarks.h"
 #include "components/planner/plan.h"
@@ -49,14 +50,14 @@ class NoveltySearch {
   bool is_new(const GroundTask& task, const Word* state, std::int32_t missing);
   // The number of landmarks missing in the state.
   std::int32_t push(const GroundTask& task, Landmarks& landmarks, std::int32_t id, bool committed);
-  Word* reached(std::int32_t id) { return reached_.data() + static_cast<std::size_t>(id) * landmark_words_; }
+  const Word* reached(std::int32_t id) { return reached_[static_cast<std::size_t>(id)]; }
   std::int64_t bytes() const;
 
   Successors successors_;
   StateTable states_;
-  std::vector<Node> nodes_;
-  std::vector<Entry> heap_;
-  std::vector<Word> reached_;  // by state: landmarks
+  Chunks<Node> nodes_;
+  ChunkedHeap<Entry> heap_;
+  Rows reached_;  // by state: landmarks
   std::size_t landmark_words_ = 1;
   std::vector<std::vector<Word>> seen_true_, seen_false_;  // by number of missing landmarks: atoms
   std::vector<Word> next_, next_reached_;

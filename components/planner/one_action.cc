@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "components/planner/atom_table.h"
+
 namespace goalnet::planner {
 
 bool simple_goal(const Domain& domain, const Formula& goal, std::vector<GoalLiteral>* literals) {
@@ -20,6 +22,23 @@ bool simple_goal(const Domain& domain, const Formula& goal, std::vector<GoalLite
   if (goal.kind == Formula::Kind::kTrue) return true;
   if (goal.kind == Formula::Kind::kAnd) return std::all_of(goal.children.begin(), goal.children.end(), add);
   return add(goal);
+}
+
+const AtomPattern* contradiction(const std::vector<GoalLiteral>& goal) {
+  if (std::none_of(goal.begin(), goal.end(), [](const GoalLiteral& l) { return l.negative; })) return nullptr;
+  AtomTable wanted;
+  std::array<ObjectId, 16> ids{};
+  const auto arguments = [&](const AtomPattern& atom) {
+    for (std::size_t i = 0; i < atom.arguments.size(); ++i) ids[i] = atom.arguments[i].value;
+    return ids.data();
+  };
+  for (const GoalLiteral& l : goal) {
+    if (!l.negative) wanted.add(l.atom->predicate, arguments(*l.atom), l.atom->arguments.size());
+  }
+  for (const GoalLiteral& l : goal) {
+    if (l.negative && wanted.contains(l.atom->predicate, arguments(*l.atom), l.atom->arguments.size())) return l.atom;
+  }
+  return nullptr;
 }
 
 OneAction::OneAction(const CompiledDomain& compiled) : compiled_(compiled) {
@@ -48,9 +67,11 @@ bool OneAction::unify(const CompiledSchema& schema, const AtomPattern& pattern, 
   return true;
 }
 
-std::optional<OneAction::Found> OneAction::find(ProblemIndex& index, const std::vector<GoalLiteral>& goal) {
+std::optional<OneAction::Found> OneAction::find(ProblemIndex& index, const std::vector<GoalLiteral>& goal,
+                                                Budget& budget) {
   index_ = &index;
   goal_ = &goal;
+  budget_ = &budget;
   // The action must produce every literal that does not hold; start from the one with the fewest producers.
   const std::vector<EffectReference>* producers = nullptr;
   const GoalLiteral* wanted = nullptr;
@@ -80,6 +101,7 @@ std::optional<OneAction::Found> OneAction::find(ProblemIndex& index, const std::
 
 // Binds what is still open from facts that hold and tries every way; true with binding_ left as found.
 bool OneAction::search(const CompiledSchema& schema, const CompiledEffect* effect, bool parameters) {
+  if (budget_->poll()) return false;
   const auto is_open = [this](Term term) {
     return term.is_variable() && binding_[static_cast<std::size_t>(term.slot())] < 0;
   };
@@ -170,6 +192,7 @@ bool OneAction::condition_holds(const CompiledSchema& schema, const Condition& c
 }
 
 bool OneAction::formula_holds(const CompiledSchema& schema, const Formula& formula) {
+  if (budget_->poll()) return false;
   const auto child = [&](const Formula& inner) { return formula_holds(schema, inner); };
   switch (formula.kind) {
     case Formula::Kind::kTrue: return true;
@@ -239,6 +262,7 @@ bool OneAction::happens(const CompiledSchema& schema, const CompiledEffect& effe
 bool OneAction::accept(const CompiledSchema& schema) {
   if (index_->cost(schema.cost, binding_.data()) < 0) return false;
   for (const GoalLiteral& literal : *goal_) {
+    if (budget_->poll()) return false;
     bool added = false, deleted = false;
     for (const CompiledEffect& effect : schema.effects) {
       if (effect.literal.atom.predicate != literal.atom->predicate) continue;

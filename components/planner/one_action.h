@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "components/planner/budget.h"
 #include "components/planner/compiled_domain.h"
 #include "components/planner/problem_index.h"
 
@@ -19,6 +20,9 @@ struct GoalLiteral {
 // The literals of a conjunction without quantifiers or derived predicates; nothing for any other goal.
 bool simple_goal(const Domain& domain, const Formula& goal, std::vector<GoalLiteral>* literals);
 
+// An atom that is wanted both to hold and not to hold, or null.
+const AtomPattern* contradiction(const std::vector<GoalLiteral>& goal);
+
 class OneAction {
  public:
   explicit OneAction(const CompiledDomain& compiled);
@@ -28,7 +32,8 @@ class OneAction {
     std::vector<ObjectId> binding;
   };
   // At least one literal must not hold initially.
-  std::optional<Found> find(ProblemIndex& index, const std::vector<GoalLiteral>& goal);
+  // Stopped, nothing is found.
+  std::optional<Found> find(ProblemIndex& index, const std::vector<GoalLiteral>& goal, Budget& budget);
 
  private:
   bool holds(const GoalLiteral& literal) const;
@@ -42,6 +47,7 @@ class OneAction {
 
   const CompiledDomain& compiled_;
   ProblemIndex* index_ = nullptr;
+  Budget* budget_ = nullptr;
   const std::vector<GoalLiteral>* goal_ = nullptr;
   std::vector<ObjectId> binding_, outer_;
 };

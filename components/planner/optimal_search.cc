@@ -10,15 +10,12 @@ constexpr std::int64_t kExpansionsBeforeSymmetry = 30;
 
 void OptimalSearch::push(std::int32_t id) {
   const Node& node = nodes_[static_cast<std::size_t>(id)];
-  heap_.push_back({node.g + node.h, node.h, serial_++, {id, node.g}});
-  std::push_heap(heap_.begin(), heap_.end());
+  heap_.push({node.g + node.h, node.h, serial_++, {id, node.g}});
 }
 
 bool OptimalSearch::pop(Entry* entry) {
   while (!heap_.empty()) {
-    std::pop_heap(heap_.begin(), heap_.end());
-    const HeapEntry top = heap_.back();
-    heap_.pop_back();
+    const HeapEntry top = heap_.pop();
     const Node& node = nodes_[static_cast<std::size_t>(top.entry.node)];
     if (node.closed || node.g != top.entry.g || node.g + node.h != top.f) continue;  // outdated
     *entry = top.entry;
@@ -37,7 +34,7 @@ void OptimalSearch::generate(std::int32_t parent, std::int32_t action) {
   }
   bool is_new = false;
   std::int32_t id = states_.add(next_.data(), key, &is_new);
-  if (is_new) nodes_.emplace_back();
+  if (is_new) nodes_.push_back({});
   ++generated_;
   const std::int64_t g = nodes_[static_cast<std::size_t>(parent)].g + ground.cost;
   if (!is_new) {
@@ -77,11 +74,11 @@ void OptimalSearch::extract(std::int32_t id) {
 }
 
 std::int64_t OptimalSearch::bytes() const {
-  return states_.bytes() + static_cast<std::int64_t>(nodes_.capacity() * sizeof(Node)) +
-         static_cast<std::int64_t>(heap_.capacity() * sizeof(HeapEntry));
+  return states_.bytes() + static_cast<std::int64_t>(nodes_.bytes() + heap_.bytes());
 }
 
-void OptimalSearch::start(const GroundTask& task, LmCut& lm_cut, const Word* initial, std::int64_t initial_estimate) {
+void OptimalSearch::start(const GroundTask& task, LmCut& lm_cut, const Word* initial, std::int64_t initial_estimate,
+                          Budget& budget) {
   task_ = &task;
   lm_cut_ = &lm_cut;
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
@@ -92,7 +89,7 @@ void OptimalSearch::start(const GroundTask& task, LmCut& lm_cut, const Word* ini
   serial_ = generated_ = expanded_ = 0;
   next_.resize(words);
   key_.resize(words);
-  stubborn_.restart(task);
+  stubborn_.restart(task, budget);
   lower_bound_ = initial_estimate;
   bool is_new = false;
   states_.add(initial, initial, &is_new);
@@ -146,7 +143,13 @@ OptimalSearch::Result OptimalSearch::resume(const SearchLimits& limits, Budget& 
       symmetry_used_ = symmetry_.find(task, budget) > 0;
       statistics.symmetries = symmetry_.count();
     }
-    const auto& actions = stubborn_.applicable(states_.state(entry.node));
+    const auto& actions = stubborn_.applicable(states_.state(entry.node), budget);
+    if (budget.stopped()) {  // the set is incomplete: this state's turn comes again
+      nodes_[id].closed = false;
+      push(entry.node);
+      result = Result::kStopped;
+      break;
+    }
     for (const std::int32_t action : actions) generate(entry.node, action);
     if (limits.nodes > 0 && expanded_ >= limits.nodes) {
       result = Result::kNodeLimit;

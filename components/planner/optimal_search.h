@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "components/planner/budget.h"
+#include "components/planner/chunks.h"
 #include "components/planner/lm_cut.h"
 #include "components/planner/plan.h"
 #include "components/planner/state_table.h"
@@ -25,7 +26,7 @@ class OptimalSearch {
   enum class Result { kFound, kExhausted, kStopped, kNodeLimit, kMemoryLimit };
 
   // `initial_estimate` is LM-cut's value of the initial state. Task and heuristic must outlive the search.
-  void start(const GroundTask& task, LmCut& lm_cut, const Word* initial, std::int64_t initial_estimate);
+  void start(const GroundTask& task, LmCut& lm_cut, const Word* initial, std::int64_t initial_estimate, Budget& budget);
 
   // Searches on from where it stopped. kFound: plan() is a cheapest plan below the upper bound. kExhausted: there is
   // none below it. The upper bound may only go down from call to call.
@@ -61,7 +62,7 @@ class OptimalSearch {
   LmCut* lm_cut_ = nullptr;
   std::int64_t expanded_ = 0;
   StateTable states_;
-  std::vector<Node> nodes_;
+  Chunks<Node> nodes_;
   // Entries as a binary heap on (f, h, newest first).
   struct HeapEntry {
     std::int64_t f, h;
@@ -73,7 +74,7 @@ class OptimalSearch {
       return serial < other.serial;
     }
   };
-  std::vector<HeapEntry> heap_;
+  ChunkedHeap<HeapEntry> heap_;
   std::int64_t serial_ = 0;
   StubbornSets stubborn_;
   Symmetry symmetry_;

@@ -9,7 +9,7 @@ constexpr std::int32_t kMostLiterals = 6000;      // 4.5 MB of rows
 constexpr std::size_t kMostOperators = 150'000;
 }  // namespace
 
-void PairReachability::add_operators(const GroundTask& task) {
+void PairReachability::add_operators(const GroundTask& task, Budget& budget) {
   operators_.clear();
   families_.clear();
   const auto indices = [this](auto conditions, std::vector<std::int32_t>* result) {
@@ -18,6 +18,7 @@ void PairReachability::add_operators(const GroundTask& task) {
     }
   };
   for (const GroundAction& action : task.actions) {
+    if (budget.poll()) return;
     Operator base;
     indices(task.preconditions(action), &base.needs);
     std::vector<Literal> literals;  // unconditional; what is deleted and added holds afterwards
@@ -119,7 +120,7 @@ bool PairReachability::compute(const GroundTask& task, Budget& budget) {
   changed_.assign(static_cast<std::size_t>(count), 1);
   mask_.assign(words_, 0);
   now_ = 1;
-  add_operators(task);
+  add_operators(task, budget);
   if (operators_.size() > kMostOperators || budget.check()) return false;
   for (std::size_t literal = 0; literal < task.needed.size(); ++literal) {
     const bool holds = (task.initial[literal >> 1] != 0) == ((literal & 1u) == 0);

@@ -29,7 +29,7 @@ class PairReachability {
     std::uint64_t judged = 0;
   };
 
-  void add_operators(const GroundTask& task);
+  void add_operators(const GroundTask& task, Budget& budget);
   bool apply(Operator& op);
   void reach(std::int32_t p, const Word* mask);
   Word* row(std::int32_t index) { return rows_.data() + static_cast<std::size_t>(index) * words_; }

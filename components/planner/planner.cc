@@ -98,16 +98,13 @@ Expected<Plan> Planner::Impl::solve(const Problem& problem, const SolveOptions& 
   Budget budget(options.stop, options.time_limit);
   if (budget.check()) return stopped(budget, options);
   const auto start = Clock::now();
-  index.restart(problem);
+  index.restart(problem, budget);
+  if (budget.stopped()) return stopped(budget, options);
   if (simple_goal(domain, problem.goal, &literals)) {
-    for (std::size_t i = 0; i < literals.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (literals[i].negative != literals[j].negative && *literals[i].atom == *literals[j].atom) {
-          std::string text = "(" + domain.predicates.name(literals[i].atom->predicate);
-          for (const Term term : literals[i].atom->arguments) text += " " + problem.object_name(term.value);
-          return fail(Outcome::kNoPlan, "the goal contradicts itself: " + text + ") and (not " + text + "))");
-        }
-      }
+    if (const AtomPattern* atom = contradiction(literals)) {
+      std::string text = "(" + domain.predicates.name(atom->predicate);
+      for (const Term term : atom->arguments) text += " " + problem.object_name(term.value);
+      return fail(Outcome::kNoPlan, "the goal contradicts itself: " + text + ") and (not " + text + "))");
     }
     const bool reached = std::all_of(literals.begin(), literals.end(), [&](const GoalLiteral& literal) {
       return index.holds_initially(*literal.atom, nullptr) != literal.negative;
@@ -120,7 +117,7 @@ Expected<Plan> Planner::Impl::solve(const Problem& problem, const SolveOptions& 
       return plan;
     }
     if (!problem.minimise_cost && compiled.axioms.empty()) {
-      if (const auto found = one_action.find(index, literals)) {
+      if (const auto found = one_action.find(index, literals, budget)) {
         Plan plan;
         plan.actions.push_back(name_of(found->schema, found->binding.data()));
         plan.cost = plan.lower_bound = 1;
@@ -148,7 +145,8 @@ Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions&
   Plan plan;
   plan.statistics.ground_actions = static_cast<std::int64_t>(task.actions.size());
   plan.statistics.ground_facts = task.atoms.size();
-  relaxed.build(task);
+  relaxed.build(task, budget);
+  if (budget.stopped()) return stopped(budget, options);
   initial_state(task, &initial);
   plan.statistics.grounding_seconds = seconds_since(start);
   const auto search_start = Clock::now();
@@ -165,6 +163,7 @@ Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions&
   relaxed_planner.restart(relaxed);
   ++plan.statistics.evaluated;
   const std::int64_t estimate = lm_cut.evaluate(initial.data(), budget);
+  if (budget.stopped()) return stopped(budget, options);
   if (estimate >= LmCut::kDeadEnd) return fail(Outcome::kNoPlan, unreachable_message());
   plan.lower_bound = first_estimate = estimate;
   found = relaxed_planner.execute(initial.data(), budget, &best);
@@ -252,7 +251,8 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     }
     SearchLimits here = limits;
     here.upper_bound = bound;
-    optimal.start(focused, focused_lm_cut, focused_initial.data(), plan.lower_bound);
+    optimal.start(focused, focused_lm_cut, focused_initial.data(), plan.lower_bound, budget);
+    if (budget.stopped()) break;
     auto result = OptimalSearch::Result::kNodeLimit;
     if (!tried) {
       const auto actions = std::max<std::int64_t>(static_cast<std::int64_t>(focused.actions.size()), 1);
@@ -311,12 +311,14 @@ Planner::Impl::Focus Planner::Impl::focus_on(std::int64_t bound, Plan& plan, Bud
   std::int64_t estimate = first_estimate;
   std::int64_t left_out = 0;
   if (task.axioms.empty()) {
-    left_out = filter.filter(task, relaxed, lm_cut, estimate, bound, focused);
+    left_out = filter.filter(task, relaxed, lm_cut, estimate, bound, focused, budget);
   } else {
     filter.copy(task, focused);
   }
+  if (budget.stopped()) return Focus::kAll;
   if (focused.goal_impossible) return Focus::kNone;
-  focused_relaxed.build(focused);
+  focused_relaxed.build(focused, budget);
+  if (budget.stopped()) return Focus::kAll;
   initial_state(focused, &focused_initial);
   focused_lm_cut.restart(focused_relaxed);
   ++plan.statistics.evaluated;

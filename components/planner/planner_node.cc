@@ -44,7 +44,10 @@ Expected<void> PlannerNode::on_activate() {
   world_state_ = node_.subscribe<goalnet_msgs::msg::WorldState>(
       "world_state", ros::Qos::latched(),
       [this](const goalnet_msgs::msg::WorldState& message) { on_world(message); });
-  // A search keeps the event loop busy: a cancel must reach it from outside.
+  // A search keeps the event loop busy: a cancel, or a newer goal, must reach it from outside.
+  newer_ = node_.subscribe<GoalPredicates>(
+      "goal_predicates", ros::Qos::standard(), [this](const GoalPredicates& message) { on_newer(message); },
+      {.immediate = true});
   cancel_ = node_.subscribe<goalnet_msgs::msg::CancelInstruction>(
       "cancel_instruction", ros::Qos::standard(),
       [this](const goalnet_msgs::msg::CancelInstruction& message) { on_cancel(message); },
@@ -54,6 +57,7 @@ Expected<void> PlannerNode::on_activate() {
 
 Expected<void> PlannerNode::on_deactivate() {
   cancel_.reset();
+  newer_.reset();
   world_state_.reset();
   goal_.reset();
   plan_.reset();
@@ -81,6 +85,17 @@ void PlannerNode::on_cancel(const goalnet_msgs::msg::CancelInstruction& message)
   if (id == 0 || id == instruction_) stop_.request_stop();
 }
 
+PlannerNode::GoalKey PlannerNode::key_of(const GoalPredicates& message) {
+  const auto& stamp = message.header().stamp();
+  return {message.instruction_id(), message.step(), stamp.sec(), stamp.nanosec()};
+}
+
+void PlannerNode::on_newer(const GoalPredicates& message) {
+  const std::lock_guard lock(stop_mutex_);
+  newest_ = key_of(message);
+  if (newest_ != current_) stop_.request_stop();
+}
+
 void PlannerNode::on_world(const goalnet_msgs::msg::WorldState& message) {
   auto world = messages::from_message(message);
   if (!world) return node_.log().warn("world_state: {}", world.error().message);
@@ -103,9 +118,11 @@ void PlannerNode::answer(const GoalPredicates& message) {
   {
     const std::lock_guard lock(stop_mutex_);
     stop_ = std::stop_source();
+    current_ = key_of(message);
     instruction_ = message.instruction_id();
     const bool cancelled = std::find(cancelled_.begin(), cancelled_.end(), instruction_) != cancelled_.end();
-    if (instruction_ != 0 && cancelled) stop_.request_stop();
+    const bool superseded = newest_ != GoalKey{} && newest_ != key_of(message);
+    if ((instruction_ != 0 && cancelled) || superseded) stop_.request_stop();
   }
   const Expected<Plan> plan = goal ? plan_for(*goal) : Expected<Plan>(tl::unexpected<Error>(goal.error()));
   if (plan) {
@@ -114,6 +131,15 @@ void PlannerNode::answer(const GoalPredicates& message) {
   } else {
     answer.outcome(static_cast<std::int32_t>(plan.error().outcome));
     answer.message(plan.error().message);
+  }
+  {
+    const std::lock_guard lock(stop_mutex_);
+    const bool superseded = newest_ != GoalKey{} && newest_ != key_of(message);
+    if (superseded && !plan && plan.error().outcome == Outcome::kCancelled) {
+      const auto [instruction, step, sec, nanosec] = newest_;
+      if (instruction == message.instruction_id() && step == message.step()) return;
+      answer.message("a newer goal has come");
+    }
   }
   answer.header().stamp(node_.now());
   plan_->publish(answer);

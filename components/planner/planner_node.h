@@ -7,7 +7,8 @@
 // an outcome
 //      other than 0 and a message where there is no plan.
 // A goal that comes before any world state waits for the first one. The same goal sent again is planned
-// again.
+// again. A newer goal ends the search for the one before it, which is answered with "cancelled"; not where both are for
+// the same step of the same instruction, because that answer could be taken for the newer one's.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <tuple>
 #include <vector>
 
 #include "components/planner/planner.h"
@@ -51,6 +53,7 @@ class PlannerNode : public ros::ManagedComponent {
   Expected<void> on_deactivate() override;
   Expected<void> on_cleanup() override;
   void on_cancel(const goalnet_msgs::msg::CancelInstruction& message);
+  void on_newer(const goalnet_msgs::msg::GoalPredicates& message);
   void on_goal(const goalnet_msgs::msg::GoalPredicates& message);
   void on_world(const goalnet_msgs::msg::WorldState& message);
   void answer(const goalnet_msgs::msg::GoalPredicates& message);
@@ -61,7 +64,13 @@ class PlannerNode : public ros::ManagedComponent {
   std::unique_ptr<const Domain> domain_;
   std::optional<Planner> planner_;
   // While active.
-  std::mutex stop_mutex_;  // guards the next four: a cancel comes from a thread of DDS
+  // Which goal this is: instruction, step and when it was inferred.
+  using GoalKey = std::tuple<std::uint64_t, std::uint32_t, std::int32_t, std::uint32_t>;
+  static GoalKey key_of(const goalnet_msgs::msg::GoalPredicates& message);
+
+  std::mutex stop_mutex_;  // guards the next six: cancels and newer goals come from a thread of DDS
+  GoalKey newest_{};       // that has arrived; its turn in the loop may still come
+  GoalKey current_{};      // that is planned for now
   std::stop_source stop_;
   std::uint64_t instruction_ = 0;             // that is planned for now
   std::array<std::uint64_t, 8> cancelled_{};  // the last ones that nobody wants a plan for any more
@@ -70,6 +79,7 @@ class PlannerNode : public ros::ManagedComponent {
   std::optional<goalnet_msgs::msg::GoalPredicates> waiting_;
   std::shared_ptr<ros::Publisher<goalnet_msgs::msg::Plan>> plan_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::GoalPredicates>> goal_;
+  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::GoalPredicates>> newer_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::CancelInstruction>> cancel_;
 };

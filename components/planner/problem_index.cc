@@ -4,7 +4,7 @@
 
 namespace goalnet::planner {
 
-void ProblemIndex::restart(const Problem& problem) {
+void ProblemIndex::restart(const Problem& problem, Budget& budget) {
   problem_ = &problem;
   type_count_ = static_cast<std::size_t>(compiled_.domain.types.size());
   objects_.resize(compiled_.type_sets.size());
@@ -17,6 +17,7 @@ void ProblemIndex::restart(const Problem& problem) {
   }
   const AtomTable& initial = problem.initial;
   for (std::int32_t atom = 0; atom < initial.size(); ++atom) {
+    if (budget.poll()) return;
     ++predicates_[static_cast<std::size_t>(initial.predicate(atom))].end;
   }
   std::uint32_t total = 0;
@@ -27,6 +28,7 @@ void ProblemIndex::restart(const Problem& problem) {
   }
   atoms_.resize(total);
   for (std::int32_t atom = 0; atom < initial.size(); ++atom) {
+    if (budget.poll()) return;
     atoms_[predicates_[static_cast<std::size_t>(initial.predicate(atom))].end++] = atom;
   }
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "components/planner/budget.h"
 #include "components/planner/compiled_domain.h"
 #include "components/planner/problem.h"
 
@@ -15,7 +16,8 @@ class ProblemIndex {
  public:
   explicit ProblemIndex(const CompiledDomain& compiled) : compiled_(compiled) {}
 
-  void restart(const Problem& problem);
+  // Stopped, it must not be used.
+  void restart(const Problem& problem, Budget& budget);
   const Problem& problem() const { return *problem_; }
 
   bool object_fits(ObjectId id, std::int32_t type_set) const {

@@ -94,6 +94,7 @@ void RelaxedPlanner::extract(Proposition goal) {
 std::int64_t RelaxedPlanner::evaluate(const Word* state, Budget& budget) {
   explore(state, budget);
   plan_.clear();
+  if (budget.stopped()) return kDeadEnd;
   if (cost_[static_cast<std::size_t>(relaxed_->goal())] >= kUnreached) return kDeadEnd;
   std::fill(marked_.begin(), marked_.end(), std::uint8_t{0});
   extract(relaxed_->goal());
@@ -121,6 +122,7 @@ bool RelaxedPlanner::execute(const Word* state, Budget& budget, std::vector<std:
       progress = false;
       std::size_t kept = 0;
       for (std::size_t i = 0; i < rest_.size(); ++i) {
+        if (budget.poll()) return false;
         const GroundAction& action = task.actions[static_cast<std::size_t>(rest_[i])];
         if (!action_applies(task, current_.data(), action)) {
           rest_[kept++] = rest_[i];

@@ -16,7 +16,10 @@ void fill_rows(std::size_t rows, std::vector<std::uint32_t>& begin, std::vector<
   }
   begin[rows] = total;
   values.resize(total);
-  for_each([&](std::int32_t row, std::int32_t value) { values[--begin[static_cast<std::size_t>(row)]] = value; });
+  for_each([&](std::int32_t row, std::int32_t value) {
+    auto& place = begin[static_cast<std::size_t>(row)];
+    if (place > 0) values[--place] = value;  // 0 only where counting was stopped
+  });
 }
 
 }  // namespace
@@ -34,7 +37,7 @@ void RelaxedTask::add_operator(std::int32_t action, std::span<const ConditionId>
   operators_.push_back(op);
 }
 
-void RelaxedTask::build(const GroundTask& task) {
+void RelaxedTask::build(const GroundTask& task, Budget& budget) {
   task_ = &task;
   literals_ = task.needed.size();
   goal_ = static_cast<Proposition>(literals_ + task.junctions.size());
@@ -47,6 +50,7 @@ void RelaxedTask::build(const GroundTask& task) {
   }
   for (std::size_t a = 0; a < task.actions.size(); ++a) {
     const GroundAction& action = task.actions[a];
+    if (budget.poll()) return;
     const auto id = static_cast<std::int32_t>(a);
     bool open = false;
     for (const GroundEffect& effect : task.effects_of(action)) {
@@ -87,13 +91,13 @@ void RelaxedTask::build(const GroundTask& task) {
   add_operator(-1, task.goal, {});
   effects_.push_back(goal_);
   ++operators_.back().effect_end;
-  index();
+  index(budget);
 }
 
-void RelaxedTask::index() {
+void RelaxedTask::index(Budget& budget) {
   const auto propositions = static_cast<std::size_t>(proposition_count());
-  const auto each = [this](const std::vector<Proposition>& values, bool effects, const auto& visit) {
-    for (std::size_t i = 0; i < operators_.size(); ++i) {
+  const auto each = [this, &budget](const std::vector<Proposition>& values, bool effects, const auto& visit) {
+    for (std::size_t i = 0; i < operators_.size() && !budget.poll(); ++i) {
       const RelaxedOperator& op = operators_[i];
       const std::uint32_t begin = effects ? op.effect_begin : op.precondition_begin;
       const std::uint32_t end = effects ? op.effect_end : op.precondition_end;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "components/planner/budget.h"
 #include "components/planner/ground_task.h"
 
 namespace goalnet::planner {
@@ -21,7 +22,8 @@ struct RelaxedOperator {
 
 class RelaxedTask {
  public:
-  void build(const GroundTask& task);
+  // Stopped, the result is incomplete and must not be used.
+  void build(const GroundTask& task, Budget& budget);
 
   const GroundTask& task() const { return *task_; }
   std::int32_t proposition_count() const { return goal_ + 2; }
@@ -63,7 +65,7 @@ class RelaxedTask {
     return {values.data() + begin[i], begin[i + 1] - begin[i]};
   }
   void add_operator(std::int32_t action, std::span<const ConditionId> first, std::span<const ConditionId> second);
-  void index();
+  void index(Budget& budget);
 
   const GroundTask* task_ = nullptr;
   std::size_t literals_ = 0;

@@ -5,6 +5,8 @@
 namespace goalnet::planner {
 namespace {
 
+constexpr std::size_t kMostKept = 2'000'000;  // entries of interfering_: 8 MB
+
 template <class ForEach>
 void fill_rows(std::size_t rows, std::vector<std::uint32_t>& begin, std::vector<std::int32_t>& values,
                const ForEach& for_each) {
@@ -17,7 +19,10 @@ void fill_rows(std::size_t rows, std::vector<std::uint32_t>& begin, std::vector<
   }
   begin[rows] = total;
   values.resize(total);
-  for_each([&](Literal row, std::int32_t value) { values[--begin[static_cast<std::size_t>(row)]] = value; });
+  for_each([&](Literal row, std::int32_t value) {
+    auto& place = begin[static_cast<std::size_t>(row)];
+    if (place > 0) values[--place] = value;  // 0 only where counting was stopped
+  });
 }
 
 }  // namespace
@@ -47,19 +52,19 @@ void StubbornSets::for_each_read(const GroundAction& action, const Visit& visit)
   }
 }
 
-void StubbornSets::restart(const GroundTask& task) {
+void StubbornSets::restart(const GroundTask& task, Budget& budget) {
   task_ = &task;
   if (!task.axioms.empty()) return successors_.restart(task);
   const std::size_t literals = task.needed.size();
   fill_rows(literals, producer_begin_, producers_, [&](const auto& visit) {
-    for (std::size_t a = 0; a < task.actions.size(); ++a) {
+    for (std::size_t a = 0; a < task.actions.size() && !budget.poll(); ++a) {
       for (const GroundEffect& effect : task.effects_of(task.actions[a])) {
         visit(effect.literal, static_cast<std::int32_t>(a));
       }
     }
   });
   fill_rows(literals, reader_begin_, readers_, [&](const auto& visit) {
-    for (std::size_t a = 0; a < task.actions.size(); ++a) {
+    for (std::size_t a = 0; a < task.actions.size() && !budget.poll(); ++a) {
       for_each_read(task.actions[a], [&](Literal literal) { visit(literal, static_cast<std::int32_t>(a)); });
     }
   });
@@ -68,18 +73,20 @@ void StubbornSets::restart(const GroundTask& task) {
   in_set_.assign(task.actions.size(), 0);
   seen_.assign(task.actions.size(), 0);
   round_ = seen_round_ = 0;
+  kept_ = 0;
 }
 
-const std::vector<std::int32_t>& StubbornSets::interfering(std::int32_t action) {
+const std::vector<std::int32_t>& StubbornSets::interfering(std::int32_t action, Budget& budget) {
   const auto a = static_cast<std::size_t>(action);
-  auto& list = interfering_[a];
-  if (interfering_known_[a] != 0) return list;
-  interfering_known_[a] = 1;
+  if (interfering_known_[a] != 0) return interfering_[a];
+  const bool keep = kept_ < kMostKept;
+  auto& list = keep ? interfering_[a] : passing_;
   list.clear();
   ++seen_round_;
   seen_[a] = seen_round_;
   const auto add_all = [&](std::span<const std::int32_t> others) {
     for (const std::int32_t other : others) {
+      if (budget.poll()) return;
       auto& mark = seen_[static_cast<std::size_t>(other)];
       if (mark == seen_round_) continue;
       mark = seen_round_;
@@ -92,6 +99,10 @@ const std::vector<std::int32_t>& StubbornSets::interfering(std::int32_t action) 
     add_all(producers(opposite(effect.literal)));  // they and it leave different values
   }
   for_each_read(ground, [&](Literal literal) { add_all(producers(opposite(literal))); });  // they destroy what it reads
+  if (keep && !budget.stopped()) {
+    interfering_known_[a] = 1;
+    kept_ += list.size();
+  }
   return list;
 }
 
@@ -137,7 +148,7 @@ void StubbornSets::add_enabling(const Word* state, std::span<const ConditionId> 
   if (found) add_producers(state, best);
 }
 
-const std::vector<std::int32_t>& StubbornSets::applicable(const Word* state) {
+const std::vector<std::int32_t>& StubbornSets::applicable(const Word* state, Budget& budget) {
   if (!task_->axioms.empty()) {
     successors_.applicable(state, &result_);
     return result_;
@@ -146,12 +157,12 @@ const std::vector<std::int32_t>& StubbornSets::applicable(const Word* state) {
   queue_.clear();
   result_.clear();
   add_enabling(state, task_->goal);
-  for (std::size_t i = 0; i < queue_.size(); ++i) {
+  for (std::size_t i = 0; i < queue_.size() && !budget.poll(); ++i) {
     const std::int32_t action = queue_[i];
     const GroundAction& ground = task_->actions[static_cast<std::size_t>(action)];
     if (action_applies(*task_, state, ground)) {
       result_.push_back(action);
-      for (const std::int32_t other : interfering(action)) add(other);
+      for (const std::int32_t other : interfering(action, budget)) add(other);
     } else {
       add_enabling(state, task_->preconditions(ground));
     }

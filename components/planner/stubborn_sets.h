@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "components/planner/budget.h"
 #include "components/planner/relaxed_task.h"
 #include "components/planner/successors.h"
 
@@ -15,16 +16,16 @@ namespace goalnet::planner {
 
 class StubbornSets {
  public:
-  void restart(const GroundTask& task);
+  void restart(const GroundTask& task, Budget& budget);
   // The applicable actions that must be tried. Empty if no plan leads on from here.
-  const std::vector<std::int32_t>& applicable(const Word* state);
+  const std::vector<std::int32_t>& applicable(const Word* state, Budget& budget);
 
  private:
   void add(std::int32_t action);
   void add_producers(const Word* state, ConditionId condition);
   void add_enabling(const Word* state, std::span<const ConditionId> conditions);
   std::size_t producer_count(const Word* state, ConditionId condition) const;
-  const std::vector<std::int32_t>& interfering(std::int32_t action);
+  const std::vector<std::int32_t>& interfering(std::int32_t action, Budget& budget);
   std::span<const std::int32_t> row(const std::vector<std::uint32_t>& begin, const std::vector<std::int32_t>& values,
                                     Literal literal) const {
     const auto i = static_cast<std::size_t>(literal);
@@ -41,7 +42,9 @@ class StubbornSets {
   // By literal: actions with an effect that makes it true; actions that read it in a precondition or condition.
   std::vector<std::uint32_t> producer_begin_, reader_begin_;
   std::vector<std::int32_t> producers_, readers_;
-  std::vector<std::vector<std::int32_t>> interfering_;  // by action, computed when first asked for
+  std::vector<std::vector<std::int32_t>> interfering_;  // by action, computed when first asked for, while room is left
+  std::vector<std::int32_t> passing_;                   // one that is not kept
+  std::size_t kept_ = 0;                                // how many entries are
   std::vector<std::uint8_t> interfering_known_;
   std::vector<std::uint32_t> in_set_;                   // by action: the round that added it
   std::vector<std::uint32_t> seen_;

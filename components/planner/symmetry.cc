@@ -25,7 +25,7 @@ std::size_t distinct(std::vector<std::uint64_t> colours) {
 
 // Colours say which atoms could be images of each other: an atom's new colour combines its old one with the roles it has
 // in actions, and these with the colours of all that the actions touch.
-Symmetry::Colours Symmetry::refined(const GroundTask& task, Colours colours) const {
+Symmetry::Colours Symmetry::refined(const GroundTask& task, Colours colours, Budget& budget) const {
   std::size_t classes = distinct(colours);
   Colours next(colours.size());
   for (int round = 0; round < kMostRounds; ++round) {
@@ -34,6 +34,7 @@ Symmetry::Colours Symmetry::refined(const GroundTask& task, Colours colours) con
       return mix(colours[static_cast<std::size_t>(literal >> 1)], static_cast<std::uint64_t>(literal & 1));
     };
     for (const GroundAction& action : task.actions) {
+      if (budget.poll()) return colours;
       std::uint64_t needs = 0, all = mix(7, static_cast<std::uint64_t>(action.cost));
       for (const ConditionId c : task.preconditions(action)) needs += mix(1, colour(c));
       all += mix(2, needs);
@@ -97,12 +98,14 @@ bool Symmetry::match(const Colours& left, const Colours& right, Permutation* per
   return true;
 }
 
-std::vector<std::vector<std::int32_t>> Symmetry::description(const GroundTask& task, const Permutation& permutation) {
+std::vector<std::vector<std::int32_t>> Symmetry::description(const GroundTask& task, const Permutation& permutation,
+                                                          Budget& budget) {
   const auto image = [&](Literal literal) {
     return 2 * permutation[static_cast<std::size_t>(literal >> 1)] + (literal & 1);
   };
   std::vector<std::vector<std::int32_t>> result;
   for (const GroundAction& action : task.actions) {
+    if (budget.poll()) return {};
     std::vector<std::int32_t> needs;
     for (const ConditionId c : task.preconditions(action)) needs.push_back(image(c));
     std::sort(needs.begin(), needs.end());
@@ -143,7 +146,7 @@ std::int64_t Symmetry::find(const GroundTask& task, Budget& budget) {
     auto& colour = start[static_cast<std::size_t>(c >> 1)];
     colour = mix(colour, static_cast<std::uint64_t>(c & 1) + 5);
   }
-  const Colours stable = refined(task, start);
+  const Colours stable = refined(task, start, budget);
   Permutation order(atoms), identity(atoms);
   std::iota(identity.begin(), identity.end(), 0);
   order = identity;
@@ -151,7 +154,7 @@ std::int64_t Symmetry::find(const GroundTask& task, Budget& budget) {
     const auto x = static_cast<std::size_t>(a), y = static_cast<std::size_t>(b);
     return stable[x] != stable[y] ? stable[x] < stable[y] : a < b;
   });
-  const auto original = description(task, identity);
+  const auto original = description(task, identity, budget);
   std::size_t trials = 0;
   for (std::size_t i = 0; i + 1 < atoms && trials < kMostTrials && !budget.check(); ++i) {
     const std::int32_t one = order[i], two = order[i + 1];
@@ -164,8 +167,10 @@ std::int64_t Symmetry::find(const GroundTask& task, Budget& budget) {
     Colours left = stable, right = stable;
     left[static_cast<std::size_t>(one)] = right[static_cast<std::size_t>(two)] = 99;
     Permutation permutation;
-    if (!match(refined(task, left), refined(task, right), &permutation)) continue;
-    if (description(task, permutation) != original) continue;  // the exact test
+    if (!match(refined(task, left, budget), refined(task, right, budget), &permutation)) continue;
+    const bool exact = description(task, permutation, budget) == original;
+    if (budget.stopped()) break;
+    if (!exact) continue;
     Generator generator;
     for (std::size_t atom = 0; atom < atoms; ++atom) {
       if (permutation[atom] != static_cast<std::int32_t>(atom)) {

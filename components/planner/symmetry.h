@@ -29,11 +29,12 @@ class Symmetry {
     std::vector<std::pair<std::int32_t, std::int32_t>> moves;  // atom → atom, where different
   };
 
-  Colours refined(const GroundTask& task, Colours colours) const;
+  Colours refined(const GroundTask& task, Colours colours, Budget& budget) const;
   // The permutation that the two colourings suggest; false if their classes do not match.
   static bool match(const Colours& left, const Colours& right, Permutation* permutation);
   // Everything about the actions and the goal, renamed by the permutation, in a canonical order.
-  static std::vector<std::vector<std::int32_t>> description(const GroundTask& task, const Permutation& permutation);
+  static std::vector<std::vector<std::int32_t>> description(const GroundTask& task, const Permutation& permutation,
+                                                            Budget& budget);
 
   std::vector<Generator> generators_;
   std::vector<Word> trial_;

@@ -27,7 +27,7 @@ void TaskFilter::need_opposite(ConditionId condition) {
 }
 
 // The grounder's closure once more, over the actions that are left: from the goal to what produces it.
-void TaskFilter::find_relevant() {
+void TaskFilter::find_relevant(Budget& budget) {
   const GroundTask& from = *from_;
   needed_.assign(from.needed.size(), 0);
   std::vector<std::uint8_t> used(from.actions.size(), 0);
@@ -36,6 +36,7 @@ void TaskFilter::find_relevant() {
   for (bool grows = true; grows;) {
     grows = false;
     for (std::size_t a = 0; a < from.actions.size(); ++a) {
+      if (budget.poll()) return;
       if (keep_action_[a] == 0) continue;
       const GroundAction& action = from.actions[a];
       for (std::uint32_t e = action.effect_begin; e < action.effect_end; ++e) {
@@ -120,7 +121,7 @@ void TaskFilter::copy(const GroundTask& from, GroundTask& to) {
 }
 
 std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relaxed, const LmCut& lm_cut,
-                                std::int64_t estimate, std::int64_t bound, GroundTask& to) {
+                                std::int64_t estimate, std::int64_t bound, GroundTask& to, Budget& budget) {
   from_ = &from;
   keep_action_.assign(from.actions.size(), 0);
   keep_effect_.assign(from.effects.size(), 0);
@@ -134,6 +135,7 @@ std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relax
     return highest;
   };
   for (std::size_t a = 0; a < from.actions.size(); ++a) {
+    if (budget.poll()) return 0;
     const GroundAction& action = from.actions[a];
     const std::int64_t to_precondition = reach(from.preconditions(action));
     if (to_precondition >= LmCut::kDeadEnd) continue;
@@ -153,8 +155,10 @@ std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relax
       keep_effect_[e] = to_condition < LmCut::kDeadEnd && estimate + to_condition + own < bound ? 1 : 0;
     }
   }
-  find_relevant();
+  find_relevant(budget);
+  if (budget.stopped()) return 0;
   for (std::size_t a = 0; a < from.actions.size(); ++a) {
+    if (budget.poll()) return 0;
     if (keep_action_[a] == 0) continue;
     for (std::uint32_t e = from.actions[a].effect_begin; e < from.actions[a].effect_end; ++e) {
       if (keep_effect_[e] == 0 || !relevant(from.effects[e])) {
@@ -175,6 +179,7 @@ std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relax
     if (value == Value::kOpen) to.goal.push_back(translated);
   }
   for (std::size_t a = 0; a < from.actions.size(); ++a) {
+    if (budget.poll()) return 0;
     if (keep_action_[a] == 0) continue;
     GroundAction action = from.actions[a];
     const auto before = to.conditions.size();

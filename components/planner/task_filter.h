@@ -18,9 +18,9 @@ class TaskFilter {
  public:
   // Keeps what plans cheaper than `bound` may use; `estimate` and `lm_cut` are of the initial state of `from`. Atoms and
   // actions get new numbers; atoms that nothing changes any more are folded into the conditions.
-  // Returns how many actions were left out although they are reachable.
+  // Returns how many actions were left out although they are reachable. Stopped, `to` must not be used.
   std::int64_t filter(const GroundTask& from, const RelaxedTask& relaxed, const LmCut& lm_cut, std::int64_t estimate,
-                      std::int64_t bound, GroundTask& to);
+                      std::int64_t bound, GroundTask& to, Budget& budget);
   // The task as it is: axioms are not filtered.
   void copy(const GroundTask& from, GroundTask& to);
   // By action of the filtered task: its number in `from`.
@@ -29,7 +29,7 @@ class TaskFilter {
  private:
   enum class Value : std::uint8_t { kFalse, kTrue, kOpen };
 
-  void find_relevant();
+  void find_relevant(Budget& budget);
   void need(ConditionId condition);
   void need_opposite(ConditionId condition);
   bool relevant(const GroundEffect& effect) const {

@@ -51,9 +51,10 @@ std::string cup(int i) { return "Cup_" + std::to_string(i + 1); }
 
 }  // namespace
 
-RecordedQuestions recorded_questions(const std::filesystem::path& folder) {
-  RecordedQuestions questions;
-  if (!std::filesystem::exists(folder / "constants.json")) return questions;
+bool for_each_recorded_question(const std::filesystem::path& folder,
+                                const std::function<void(const PlanQuestion&)>& single,
+                                const std::function<void(const PlanQuestion&)>& whole) {
+  if (!std::filesystem::exists(folder / "constants.json")) return false;
   const auto constants = nlohmann::json::parse(std::ifstream(folder / "constants.json"));
   const auto objects = constants["all_objects"].get<std::vector<std::string>>();
   const std::vector<Predicate> properties = properties_of(constants);
@@ -69,14 +70,13 @@ RecordedQuestions recorded_questions(const std::filesystem::path& folder) {
       const std::string name = std::string(part) + "/" + file.stem().string();
       for (std::size_t i = 0; i + 1 < states.size(); ++i) {
         if (states[i] == states[i + 1]) continue;
-        questions.single.push_back(
-            difference_question(name + ":" + std::to_string(i), objects, states[i], states[i + 1]));
+        single(difference_question(name + ":" + std::to_string(i), objects, states[i], states[i + 1]));
       }
       if (states.front() == states.back()) continue;
-      questions.whole.push_back(difference_question(name, objects, states.front(), states.back()));
+      whole(difference_question(name, objects, states.front(), states.back()));
     }
   }
-  return questions;
+  return true;
 }
 
 PlanQuestion carry_question(int count, int room) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,12 @@ struct PlanQuestion {
   Goal goal;
 };
 
-struct RecordedQuestions {
-  std::vector<PlanQuestion> single;  // a recorded state to the next recorded difference
-  std::vector<PlanQuestion> whole;   // the start to the net difference
-};
-
-// Empty if the folder does not have the demonstrations.
-RecordedQuestions recorded_questions(const std::filesystem::path& folder);
+// Gives one recorded question after the other, so that never all are in memory: `single` asks for a recorded state to the
+// next recorded difference, `whole` for the start to the net difference. Returns false if the folder does not have the
+// demonstrations.
+bool for_each_recorded_question(const std::filesystem::path& folder,
+                                const std::function<void(const PlanQuestion&)>& single,
+                                const std::function<void(const PlanQuestion&)>& whole);
 
 // `count` objects on the counter to the table, in a room with `room` objects.
 PlanQuestion carry_question(int count, int room);

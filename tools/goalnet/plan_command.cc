@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -29,6 +31,15 @@ std::stop_source& interruption() {
 
 void on_signal(int) { interruption().request_stop(); }
 
+// The most memory this program had, in megabytes; 0 where the system does not tell.
+double peak_memory_mb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::strtod(line.c_str() + 6, nullptr) / 1024.0;
+  }
+  return 0.0;
+}
+
 nlohmann::json to_json(const planner::Plan& plan) {
   nlohmann::json actions = nlohmann::json::array();
   for (const Action& action : plan.actions) actions.push_back({{"name", action.name}, {"arguments", action.arguments}});
@@ -46,6 +57,7 @@ nlohmann::json to_json(const planner::Plan& plan) {
             {"generated", s.generated},
             {"symmetries", s.symmetries},
             {"search_table_bytes", s.peak_bytes},
+            {"peak_memory_mb", peak_memory_mb()},
             {"grounding_s", s.grounding_seconds},
             {"search_s", s.search_seconds}}}};
 }
@@ -113,7 +125,10 @@ int plan_command(int argc, char** argv) {
     if (!plan->optimal) {
       std::printf("; not known to be optimal: no plan costs less than %lld\n", static_cast<long long>(plan->lower_bound));
     }
-    if (options.statistics) std::fputs(planner::statistics_as_comments(*plan).c_str(), stdout);
+    if (options.statistics) {
+      std::fputs(planner::statistics_as_comments(*plan).c_str(), stdout);
+      std::printf("; peak memory = %.1f MB\n", peak_memory_mb());
+    }
   }
   if (!plan) std::fprintf(stderr, "goalnet plan: %s\n", plan.error().message.c_str());
   return static_cast<int>(outcome);
