@@ -10,7 +10,8 @@ namespace goalnet::tools {
 namespace {
 
 constexpr TrainKind kKinds[] = {
-    {"ranker", "the model that ships: feature-sharing ranker with re-ranking (about half a minute)", train_ranker_kind},
+    {"ranker", "the model that ships: feature-sharing ranker with re-ranking (about a minute)",
+     train_ranker_kind},
 #ifdef GOALNET_HAS_NETWORK_TRAINING
     {"network", "the paper's GoalNet network (about a minute and a half)", train_network_kind},
 #endif

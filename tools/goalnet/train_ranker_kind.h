@@ -5,7 +5,7 @@
 namespace goalnet::tools {
 
 // Trains the feature-sharing ranker (components/goalnet/ranker/train.h). Needs no libtorch. It takes about
-// half a minute, so an interrupted training simply begins again; the weights come out the same to the bit.
+// a minute, so an interrupted training simply begins again; the weights come out the same to the bit.
 Expected<void> train_ranker_kind(const TrainRequest& request);
 
 }  // namespace goalnet::tools

@@ -176,15 +176,6 @@ FeatureContext::ObjectCode FeatureContext::make_code(Symbol symbol) const {
     code.place = place >= 0 ? 2u + instruction_.objects[static_cast<std::size_t>(place)].class_id : 1u;
     code.place_named = place >= 0 && instruction_.objects[static_cast<std::size_t>(place)].mention >= 0;
   }
-  for (const SymFact fact : run_.start.facts()) {
-    const Relation relation = relation_of(fact);
-    if ((relation == Relation::kOn || relation == Relation::kIn) && subject_of(fact) == symbol &&
-        object_of(fact) != symbol) {
-      const int home = instruction_.find(object_of(fact));
-      code.home =
-          home >= 0 ? instruction_.objects[static_cast<std::size_t>(home)].name_hash : object_of(fact);
-    }
-  }
   code.mention_index = object.mention;
   code.clause = object.clause;
   code.contents = (now.is(symbol, kWater) ? 1u : 0u) + (now.is(symbol, ktemperatureHigh) ? 2u : 0u);

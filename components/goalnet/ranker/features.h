@@ -35,7 +35,6 @@ class FeatureContext {
  private:
   struct ObjectCode {
     std::uint32_t mention = 0, state = 0, before = 0, class_code = 0, rank = 0, place = 0, name = 0;
-    std::uint32_t home = 0;  // where it stood at the start, by name
     std::uint32_t clause = 0, contents = 0, turn = 0, last_use = 0, last_place = 0;
     bool named = false, held = false, handled = false, place_named = false;
     int index = -1, mention_index = -1;
