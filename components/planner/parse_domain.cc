@@ -3,6 +3,7 @@
 
 #include "components/planner/derived_layers.h"
 #include "components/planner/parser.h"
+#include "components/planner/type_hierarchy.h"
 
 namespace goalnet::planner {
 namespace {
@@ -135,38 +136,9 @@ class DomainParser : public Parser {
   }
 
   bool close_types(const std::vector<std::vector<TypeId>>& parents, const Token& where) {
-    const std::size_t count = parents.size();
-    domain_.ancestors.assign(count, {});
-    // 0 = untouched, 1 = being visited, 2 = done; depth-first without recursion because chains can be long.
-    std::vector<std::uint8_t> colour(count, 0);
-    for (std::size_t root = 0; root < count; ++root) {
-      std::vector<std::pair<std::size_t, std::size_t>> stack;
-      if (colour[root] == 0) stack.emplace_back(root, 0);
-      while (!stack.empty()) {
-        auto& [type, child] = stack.back();
-        colour[type] = 1;
-        if (child < parents[type].size()) {
-          const auto above = static_cast<std::size_t>(parents[type][child++]);
-          if (colour[above] == 1) {
-            return fail_at(where.offset, "type '" + domain_.types.name(static_cast<TypeId>(above)) +
-                                             "' is above itself: the types form a cycle");
-          }
-          if (colour[above] == 0) stack.emplace_back(above, 0);
-          continue;
-        }
-        std::vector<TypeId>& mine = domain_.ancestors[type];
-        mine = {0, static_cast<TypeId>(type)};
-        for (const TypeId above : parents[type]) {
-          const auto& theirs = domain_.ancestors[static_cast<std::size_t>(above)];
-          mine.insert(mine.end(), theirs.begin(), theirs.end());
-        }
-        std::sort(mine.begin(), mine.end());
-        mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-        colour[type] = 2;
-        stack.pop_back();
-      }
-    }
-    return true;
+    const auto circular = find_ancestors(parents, &domain_.ancestors);
+    if (!circular) return true;
+    return fail_at(where.offset, "type '" + domain_.types.name(*circular) + "' is above itself: the types form a cycle");
   }
 
   bool constants(const Token& section_word) {

@@ -1,0 +1,79 @@
+// How the grounder defines derived atoms that depend on themselves.
+#include "components/planner/grounder.h"
+
+#include <algorithm>
+
+namespace goalnet::planner {
+
+// The axioms of a derived atom; what they read is needed in the same sense as the atom: to hold, or not to hold.
+void Grounder::define(Literal literal) {
+  const auto atom = static_cast<std::size_t>(literal >> 1);
+  if (defined_.size() <= atom) {
+    defined_.resize(atom + 1, 0);
+    axioms_of_.resize(atom + 1);
+  }
+  const PredicateId predicate = task_->atoms.predicate(literal >> 1);
+  if (defined_[atom] == 0) {
+    defined_[atom] = 1;
+    for (const CompiledAxiom& axiom : compiled_.axioms) {
+      if (axiom.predicate != predicate) continue;
+      std::fill_n(binding_.begin(), axiom.slots.size(), -1);
+      bool fits = true;
+      const auto arguments = task_->atoms.arguments(literal >> 1);
+      for (std::size_t i = 0; i < arguments.size(); ++i) {
+        binding_[i] = arguments[i];
+        fits = fits && index_->problem().object_is_a(arguments[i], axiom.slots[i]);
+      }
+      if (!fits) continue;
+      slots_ = &axiom.slots;
+      const Value value = instantiate(axiom.body);
+      if (stopped_) return;
+      if (value.kind == Value::Kind::kFalse) continue;
+      GroundAxiom ground;
+      ground.head = literal & ~1;
+      ground.layer = compiled_.domain.layer[static_cast<std::size_t>(predicate)];
+      ground.condition_begin = static_cast<std::uint32_t>(task_->conditions.size());
+      if (value.kind == Value::Kind::kCondition) task_->conditions.push_back(value.condition);
+      ground.condition_end = static_cast<std::uint32_t>(task_->conditions.size());
+      axioms_of_[atom].push_back(static_cast<std::int32_t>(task_->axioms.size()));
+      task_->axioms.push_back(ground);
+    }
+  }
+  for (const std::int32_t axiom : axioms_of_[atom]) {
+    const GroundAxiom ground = task_->axioms[static_cast<std::size_t>(axiom)];
+    for (std::uint32_t i = ground.condition_begin; i < ground.condition_end; ++i) {
+      const ConditionId condition = task_->conditions[i];
+      (literal & 1) != 0 ? need_opposite(condition) : need(condition);
+    }
+  }
+}
+
+// Sorts the axioms by layer and notes which of them read what of their own layer.
+void Grounder::finish_axioms() {
+  GroundTask& task = *task_;
+  std::stable_sort(task.axioms.begin(), task.axioms.end(), [](const GroundAxiom& a, const GroundAxiom& b) { return a.layer < b.layer; });
+  task.derived.assign(task.initial.size(), 0);
+  task.triggers.assign(task.initial.size(), {});
+  for (std::size_t atom = 0; atom < task.derived.size(); ++atom) {
+    if (compiled_.domain.recursive(task.atoms.predicate(static_cast<std::int32_t>(atom)))) {
+      task.derived[atom] = 1;
+      task.changes[atom] = 1;
+    }
+  }
+  const auto layer_of = [&](Literal literal) {
+    return compiled_.domain.layer[static_cast<std::size_t>(task.atoms.predicate(literal >> 1))];
+  };
+  for (std::size_t i = 0; i < task.axioms.size(); ++i) {
+    const auto note = [&](const auto& self, ConditionId condition) -> void {
+      if (condition < 0) {
+        for (const ConditionId child : task.children(task.junctions[static_cast<std::size_t>(~condition)])) self(self, child);
+      } else if (layer_of(condition) == task.axioms[i].layer) {
+        auto& readers = task.triggers[static_cast<std::size_t>(condition >> 1)];
+        if (readers.empty() || readers.back() != static_cast<std::int32_t>(i)) readers.push_back(static_cast<std::int32_t>(i));
+      }
+    };
+    for (const ConditionId condition : task.conditions_of(task.axioms[i])) note(note, condition);
+  }
+}
+
+}  // namespace goalnet::planner
