@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
-#include <regex>
-
 #include "components/ros/bag/offered_qos.h"
 #include "tests/unit/ros/bag_support.h"
 
@@ -56,9 +54,7 @@ TEST(BagMetadataTest, RefusesWhatItCannotTrust) {
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->topics[0].name, metadata.topics[0].name) << "no name breaks the file";
   const auto refused = [&](const std::string& what, const std::string& with) {
-    std::string bad = good;
-    bad = std::regex_replace(bad, std::regex(what), with);
-    EXPECT_NE(bad, good);
+    const std::string bad = replaced(good, what, with);
     EXPECT_FALSE(parse_bag_metadata(bad)) << bad;
   };
   refused("version: 9", "version: 10");
@@ -67,7 +63,7 @@ TEST(BagMetadataTest, RefusesWhatItCannotTrust) {
   refused("path: a_0.mcap", "path: /etc/passwd");
   refused("history: keep_last", "history: keep_some");
   refused("rosbag2_bagfile_information", "something_else");
-  refused("message_count: 7", "message_count: -7");
+  refused("      message_count: 7", "      message_count: -7");
   EXPECT_FALSE(parse_bag_metadata(std::string(100'000, '[')));
   EXPECT_FALSE(parse_bag_metadata(""));
 }

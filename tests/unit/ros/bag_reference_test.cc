@@ -2,8 +2,6 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
-#include <regex>
-
 #include "components/ros/bag/bag_writer.h"
 #include "tests/unit/ros/bag_support.h"
 
@@ -46,7 +44,7 @@ TEST_P(ReferenceBag, MetadataIsWrittenByteForByteAsRosbag2Does) {
   ASSERT_TRUE(metadata) << metadata.error().message;
   std::string ours = bag_metadata_yaml(*metadata, distro());
   // They were recorded where ROS_DISTRO was not set.
-  ours = std::regex_replace(ours, std::regex("ros_distro: jazzy$"), "ros_distro: \"\"");
+  if (distro() == Distro::kJazzy) ours = replaced(ours, "ros_distro: jazzy", "ros_distro: \"\"");
   EXPECT_EQ(ours, theirs);
 }
 

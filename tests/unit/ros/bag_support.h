@@ -66,4 +66,12 @@ inline std::vector<BagMessage> read_all(const std::string& path) {
   return messages;
 }
 
+// `text` with the first `what` replaced; must be there.
+inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  if (at != std::string::npos) text.replace(at, what.size(), with);
+  return text;
+}
+
 }  // namespace goalnet::ros
