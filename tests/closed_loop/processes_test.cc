@@ -90,6 +90,8 @@ class Processes : public testing::Test {
     if (component == "coordinator")
       words.insert(words.end(), {"-p", "action_silence_timeout:=4.0", "-p", "cancel_timeout:=1.0", "-p",
                                  "planning_timeout:=5.0"});
+    // Sixteen processes on two cores: a simulator that gets no time for a moment is no fault.
+    if (component == "executor") words.insert(words.end(), {"-p", "measurement_timeout:=2.0"});
     if (!space.empty()) words.insert(words.end(), {"-r", "__ns:=" + space});
     running_[space + "/" + component] = std::make_unique<Process>(words, kEnvironment);
   }
@@ -137,12 +139,14 @@ TEST_F(Processes, TwoRobotsOnOneNetworkInAnyStartOrder) {
   ASSERT_NO_FATAL_FAILURE(first.wait_until_the_world_is_known());
   // The second by the launcher and the file that is shipped; its time is another one.
   running_["/robot2"] = std::make_unique<Process>(
-      std::vector<std::string>{testing_support::program("goalnet"), "launch", "robot", "namespace:=/robot2"},
+      std::vector<std::string>{testing_support::program("goalnet"), "launch", "robot",
+                               "measurement_timeout:=2.0", "namespace:=/robot2"},
       kEnvironment);
   ASSERT_NO_FATAL_FAILURE(second.wait_until_the_world_is_known());
   ASSERT_NO_FATAL_FAILURE(first.ask_for(kTapOn));
   EXPECT_EQ(first.outcome(), 0) << first.last.message();
-  EXPECT_TRUE(first.facts->contains(kTapOn));
+  // The end of the instruction may arrive here before the world that it was judged by.
+  EXPECT_TRUE(loop_.run_for(kLimit, [&] { return first.facts->contains(kTapOn); }));
   EXPECT_FALSE(second.facts->contains(kTapOn)) << "nobody asked the second robot";
   ASSERT_NO_FATAL_FAILURE(second.ask_for(kTapOn));
   EXPECT_EQ(second.outcome(), 0) << second.last.message();
