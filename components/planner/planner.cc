@@ -7,6 +7,7 @@
 #include "components/planner/normal_form.h"
 #include "components/planner/one_action.h"
 #include "components/planner/optimal_search.h"
+#include "components/planner/pair_reachability.h"
 #include "components/planner/satisficing_search.h"
 #include "components/planner/task_filter.h"
 #include "components/planner/world.h"
@@ -56,9 +57,10 @@ struct Planner::Impl {
   Action name_of(std::int32_t schema, const ObjectId* binding) const;
   std::int64_t cost_of(const std::vector<std::int32_t>& actions) const;
   Expected<Plan> stopped(const Budget& budget, const SolveOptions& options) const;
-  Expected<Plan> finish(Plan plan, bool found, const Budget& budget, const SolveOptions& options);
+  Expected<Plan> finish(Plan plan, bool found, Budget& budget, const SolveOptions& options);
   Expected<Plan> search(const Problem& problem, const SolveOptions& options, Budget& budget);
   std::string unreachable_message() const;
+  std::string exclusive_goals_message(Budget& budget) const;
   std::string literal_text(Literal literal) const;
   // How much of the task a bound leaves: nothing (no plan below it), a part, all that is reachable.
   enum class Focus { kNone, kPart, kAll };
@@ -193,11 +195,16 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   const auto start = Clock::now();
   SearchLimits limits;
   limits.bytes = options.memory_limit;
+  bool exclusion_tried = false;
   if (found) {
     shorten_plan(task, initial.data(), budget, &best);
     limits.upper_bound = plan.cost = cost_of(best);
   }
   const auto satisfice = [&](int turns, Budget& time) {
+    if (!found && !exclusion_tried) {  // what no search would find quickly
+      exclusion_tried = true;
+      if (!exclusive_goals_message(time).empty()) return SatisficingSearch::Result::kExhausted;
+    }
     SatisficingOptions some;
     some.upper_bound = limits.upper_bound;
     some.bytes = options.memory_limit / 4;
@@ -234,7 +241,10 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   if (!found && task.actions.size() > kLargeTask) {  // here even the first lower bounds take seconds
     tried = true;
     Budget half = share(false);
-    satisfice(kFewTurns, half);
+    if (satisfice(kFewTurns, half) == SatisficingSearch::Result::kExhausted && !found) {
+      exhausted = true;
+      return;
+    }
   }
   // Plans up to a little above the lower bound first: the fewer actions fit under the bound, the faster the search.
   // The bound grows until a plan is found or nothing was left out.
@@ -263,7 +273,10 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
       if (result == OptimalSearch::Result::kNodeLimit || (result == OptimalSearch::Result::kStopped && !budget.check())) {
         tried = true;
         Budget half = share(false);
-        satisfice(found ? 1 : kFewTurns, half);
+        if (satisfice(found ? 1 : kFewTurns, half) == SatisficingSearch::Result::kExhausted && !found) {
+          exhausted = true;
+          break;
+        }
         here.upper_bound = std::min(here.upper_bound, limits.upper_bound);
         result = OptimalSearch::Result::kNodeLimit;
       }
@@ -344,10 +357,26 @@ std::string Planner::Impl::unreachable_message() const {
   return "there is no plan: nothing leads to the goal";
 }
 
-Expected<Plan> Planner::Impl::finish(Plan plan, bool found, const Budget& budget, const SolveOptions& options) {
+// Why every state was tried in vain, where two goals can never hold together; or "".
+std::string Planner::Impl::exclusive_goals_message(Budget& budget) const {
+  PairReachability pairs;
+  if (!pairs.compute(task, budget)) return "";
+  for (std::size_t i = 0; i < task.goal.size(); ++i) {
+    for (std::size_t j = 0; j < i && !budget.poll(); ++j) {
+      if (task.goal[i] < 0 || task.goal[j] < 0 || !pairs.exclusive(task.goal[i], task.goal[j])) continue;
+      return "there is no plan: " + literal_text(task.goal[j]) + " and " + literal_text(task.goal[i]) + " exclude each other";
+    }
+  }
+  return "";
+}
+
+Expected<Plan> Planner::Impl::finish(Plan plan, bool found, Budget& budget, const SolveOptions& options) {
   if (budget.reason() == Budget::Reason::kCancelled) return stopped(budget, options);
   if (!found) {
-    if (exhausted) return fail(Outcome::kNoPlan, "there is no plan: every state that could lead on was tried");
+    if (exhausted) {
+      const std::string why = exclusive_goals_message(budget);
+      return fail(Outcome::kNoPlan, why.empty() ? "there is no plan: every state that could lead on was tried" : why);
+    }
     if (budget.reason() == Budget::Reason::kTime) return stopped(budget, options);
     return fail(Outcome::kStepLimit, "no plan found within the memory and node limits; that there is none is not known");
   }

@@ -153,6 +153,26 @@ TEST(Benchmark, ExclusiveGoalsAreRecognised) {
   EXPECT_THAT(plan.error().message, HasSubstr("exclude each other"));
 }
 
+TEST(Classical, ExclusiveGoalsAreNamedHoweverLargeTheProblem) {
+  const auto domain = load_domain(path("tests/data/pddl/blocks.pddl"));
+  for (const int blocks : {4, 12}) {
+    std::string objects, init = "(hand-empty)";
+    for (int i = 0; i < blocks; ++i) {
+      const std::string name = " b" + std::to_string(i);
+      objects += name;
+      init += " (on-table" + name + ") (clear" + name + ")";
+    }
+    const auto problem = parse_problem("(define (problem p) (:domain blocks) (:objects" + objects + " - block) (:init " +
+                                           init + ") (:goal (and (on b1 b0) (on b3 b2) (on b2 b0))))",
+                                       "p", *domain);
+    ASSERT_TRUE(problem) << problem.error().message;
+    const auto plan = solve(*domain, *problem);
+    ASSERT_FALSE(plan);
+    EXPECT_EQ(plan.error().outcome, Outcome::kNoPlan);
+    EXPECT_THAT(plan.error().message, HasSubstr("(on b1 b0) and (on b2 b0) exclude each other")) << blocks;
+  }
+}
+
 // Blocks world with fifty blocks: far too large for an optimal plan.
 std::string towers(int blocks) {
   std::string objects, init = "(hand-empty)", goal;
