@@ -29,6 +29,15 @@ Rollout::Rollout(const LogLinear& model, const Instruction& instruction, const L
   nodes_.push_back(std::move(root));
 }
 
+namespace {
+
+std::uint64_t key_of(const SymAction& action) {
+  return static_cast<std::uint64_t>(action.verb) << 32 | static_cast<std::uint64_t>(action.x) << 16 |
+         action.y;
+}
+
+}  // namespace
+
 void Rollout::expand(std::size_t index) {
   if (nodes_[index].expanded) return;
   const FeatureContext context(instruction_, lexicon_, hints_, nodes_[index].run);
@@ -44,7 +53,7 @@ void Rollout::expand(std::size_t index) {
   std::vector<Choice> choices;
   float most = -1e9f;
   for (const SymAction& action : candidates(instruction_, lexicon_, places_, nodes_[index].run.now)) {
-    const auto [fixed, added] = fixed_.try_emplace(action, 0.0f);
+    const auto [fixed, added] = fixed_.try_emplace(key_of(action), 0.0f);
     if (added) fixed->second = score(&FeatureContext::extract_fixed, action);
     if (action.verb != Verb::kStop) most = std::max(most, fixed->second);
     choices.push_back({action, fixed->second});

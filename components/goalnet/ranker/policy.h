@@ -1,7 +1,7 @@
 // The log-linear ranker as a policy: which action next, given the instruction, the world and what was done.
 #pragma once
 
-#include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "components/goalnet/random.h"
@@ -56,7 +56,7 @@ class Rollout {
   const Places& places_;
   const Hints& hints_;
   std::vector<Node> nodes_;
-  std::map<SymAction, float> fixed_;  // score of what does not change during a run
+  std::unordered_map<std::uint64_t, float> fixed_;  // score of what does not change during a run
   std::vector<std::uint32_t> features_;
 };
 
