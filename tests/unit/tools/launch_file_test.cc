@@ -13,7 +13,7 @@ using testing::HasSubstr;
 const LaunchSurroundings kSurroundings{"/bin/goalnet", {"simulator", "planner"}, "/usr/bin:/bin"};
 
 Expected<LaunchPlan> parse(const std::string& text, const std::map<std::string, std::string>& given = {}) {
-  return parse_launch(text, "x.yaml", "/tmp", given, kSurroundings);
+  return parse_launch(text, "x.yaml", "/folder", given, kSurroundings);
 }
 
 TEST(LaunchFile, ComponentsBecomeCommands) {
