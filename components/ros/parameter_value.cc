@@ -20,9 +20,12 @@ std::string text(double value) {
 std::string text(const std::string& value) {
   std::string out = "\"";
   for (const char c : value) {
+    const auto byte = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') out += '\\';
     if (c == '\n') {
       out += "\\n";
+    } else if (byte < 0x20 || byte == 0x7f) {
+      out += fmt::format("\\x{:02x}", byte);
     } else {
       out += c;
     }

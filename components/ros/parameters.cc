@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace goalnet::ros {
@@ -54,6 +55,14 @@ ParameterValue fitted(ParameterValue value, const ParameterValue& model) {
                       model);
   }
   return value;
+}
+
+// Does YAML take this name without quotation marks as what it is?
+bool reads_as_plain_text(const std::string& name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  return !name.empty() && letter(name[0]) && name != "null" && name != "Null" && name != "NULL" &&
+         std::all_of(name.begin(), name.end(),
+                     [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '.'; });
 }
 
 }  // namespace
@@ -143,8 +152,12 @@ std::vector<std::string> Parameters::unused_overrides() const {
 }
 
 std::string Parameters::dump(const std::string& node_full_name) const {
+  if (entries_.empty()) return node_full_name + ":\n  ros__parameters: {}\n";
   std::string text = node_full_name + ":\n  ros__parameters:\n";
-  for (const auto& [name, entry] : entries_) text += "    " + name + ": " + to_string(entry.value) + "\n";
+  for (const auto& [name, entry] : entries_) {
+    const std::string key = reads_as_plain_text(name) ? name : to_string(ParameterValue(name));
+    text += "    " + key + ": " + to_string(entry.value) + "\n";
+  }
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "components/ros/parameter_file.h"
+#include "components/ros/parameter_value.h"
 #include "components/ros/parameters.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -19,5 +20,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const ParameterOverride& one : *read) parameters.declare(one.name, one.value, {});
   const auto again = parse_parameters(parameters.dump("/node"), "dump");
   if (!again || again->size() != parameters.names().size()) std::abort();
+  for (const ParameterOverride& one : *again) {
+    const ParameterValue* value = parameters.find(one.name);
+    if (value == nullptr || to_string(*value) != to_string(one.value)) std::abort();
+  }
   return 0;
 }

@@ -14,7 +14,7 @@ namespace {
 
 using testing::UnorderedElementsAreArray;
 
-const int kDomain = test_domain(118);
+const int kDomain = program_domain(109);
 
 struct Endpoints : testing::Test {
   void SetUp() override {

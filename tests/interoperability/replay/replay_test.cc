@@ -25,7 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const int kDomain = test_domain(119);
+const int kDomain = program_domain(109);
 
 struct Decoded {
   const idl::TypeSupport* support;

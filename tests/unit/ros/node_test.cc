@@ -78,10 +78,18 @@ TEST_F(NodeTest, DumpedParametersLoadAgain) {
   node.declare_parameter("list", std::vector<std::int64_t>{1, 2});
   node.declare_parameter("flags", std::vector<bool>{true, false});
   node.declare_parameter("whole", 2.0);
+  node.declare_parameter("odd: name # - [", std::string("\t\r\x01 end"));
+  node.declare_parameter("null", 1);
   const auto loaded = parse_parameters(node.parameters().dump(node.full_name()), "dump");
   ASSERT_TRUE(loaded) << loaded.error().message;
   ASSERT_EQ(loaded->size(), node.parameters().names().size());
   for (const auto& one : *loaded) EXPECT_EQ(one.value, *node.parameters().find(one.name)) << one.name;
+}
+
+TEST_F(NodeTest, ADumpWithoutParametersLoadsToo) {
+  const auto loaded = parse_parameters(Parameters().dump("/node"), "dump");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_TRUE(loaded->empty());
 }
 
 TEST_F(NodeTest, SimulatedTimeDrivesClockAndTimers) {

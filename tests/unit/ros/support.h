@@ -12,6 +12,10 @@ namespace goalnet::ros {
 // Differs between users' parallel runs of the suite as well.
 inline int test_domain(int base) { return base + static_cast<int>(getpid() % 4) * 12; }
 
+// The same for whole programs elsewhere, which take four numbers from `first` on: 74 (abort), 97 (hostile), 101 and
+// 105 (up and down), 109 (replay).
+inline int program_domain(int first) { return first + static_cast<int>(getpid() % 4); }
+
 inline const int kPubSubDomain = test_domain(120);
 inline const int kNodeDomain = test_domain(121);
 inline const int kServiceDomain = test_domain(122);
