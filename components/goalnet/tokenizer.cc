@@ -1,5 +1,7 @@
 #include "components/goalnet/tokenizer.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace goalnet::inference {
@@ -66,7 +68,13 @@ Expected<std::vector<std::string>> tokenize(std::string_view sentence) {
           after < sentence.size() && (sentence[after] | 0x20) == 's' &&
           (after + 1 == sentence.size() || !is_word_byte(static_cast<unsigned char>(sentence[after + 1])));
       if (possessive) {
+        // "it's" is "it is", "let's" "let us"; elsewhere the ending only says whose
+        static constexpr std::array<std::string_view, 10> kIs = {"it",  "that", "there", "what", "where",
+                                                                 "who", "here", "how",   "he",   "she"};
+        const std::string before = word;
         finish();
+        if (std::find(kIs.begin(), kIs.end(), before) != kIs.end()) words.emplace_back("is");
+        if (before == "let") words.emplace_back("us");
         i = after + 1;
         continue;
       }
@@ -81,8 +89,10 @@ Expected<std::vector<std::string>> tokenize(std::string_view sentence) {
       finish();
       if (c == '.' || c == ';' || c == '!' || c == '?') {
         if (words.empty() || words.back() != ".") words.emplace_back(".");
-      } else if (c == ',') {
+      } else if (c == ',' || c == ':') {
         words.emplace_back(",");
+      } else if (c == '&' || c == '+') {
+        words.emplace_back("and");
       }
     }
     if (words.size() > kMaxWords)

@@ -98,6 +98,7 @@ std::size_t ClauseParser::skip_part(std::size_t at, std::size_t end) const {
 }
 
 void ClauseParser::add(Clause clause) {
+  if (clause.mood == Mood::kCommand && clause.condition.empty()) clause.condition = condition_;
   if (insert_before_ < result_.clauses.size()) {
     // "before putting the mug away, wash it": "it" was named by the clause that is done later
     name_pronouns(clause, result_.clauses[insert_before_]);
@@ -129,6 +130,7 @@ ParsedSentence ClauseParser::parse() {
       at = std::max(next, at + 1);
     }
     fronted_.clear();
+    condition_.clear();
     begin = end + 1;
   }
   return std::move(result_);
@@ -142,6 +144,16 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     std::size_t verb = at + 1;
     while (verb < end && !opens_command(verb, end) && harmless(verb)) ++verb;
     if (opens_command(verb, end)) return command(verb, end, Mood::kForbidden);
+    const std::size_t gerund = at + 1;
+    if (gerund < end && words_[gerund].size() > 5 && words_[gerund].ends_with("ing") && !language_.known(words_[gerund])) {
+      Clause clause;  // "without touching the coke", "without spilling anything"
+      clause.mood = Mood::kForbidden, clause.frame = Frame::kTry, clause.verb = words_[gerund];
+      NounPhrase phrase;
+      const std::size_t done = reader_.read(gerund + 1, end, phrase);
+      if (done != gerund + 1) clause.phrases.push_back(phrase);
+      add(std::move(clause));
+      return std::max(done, gerund + 1);
+    }
     if (word == "without") {  // "without the spoon"
       NounPhrase phrase;
       const std::size_t done = reader_.read(verb, end, phrase);
@@ -158,6 +170,26 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     const std::size_t done = next < end ? statement(next, end) : next;
     ensured_ = false;
     return done;
+  }
+  if (word == "let") {  // "let the water run"
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(at + 1, end, phrase);
+    if (done != at + 1 && !phrase.person && opens_command(done, end)) {
+      fronted_ = {phrase};
+      return command(done, end, Mood::kCommand);
+    }
+    return at + 1;
+  }
+  if (word == "use" || word == "using" || word == "with") {  // "use the spoon to scoop ice cream"
+    NounPhrase phrase;
+    std::size_t next = reader_.read(at + 1, end, phrase);
+    const bool read = next != at + 1;
+    while (read && next < end && (words_[next] == "to" || language_.joins(words_[next]))) ++next;
+    if (read && opens_command(next, end)) {
+      phrase.role = Role::kWith;
+      fronted_ = {phrase};
+      return command(next, end, Mood::kCommand);
+    }
   }
   if (word == "wish") return command(at, end, Mood::kCommand);
   if (one_of(word, kSubordinate) && !(word == "so" && opens_command(skip_joins(at + 1, end), end)))
@@ -181,6 +213,26 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
 std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
   const std::string& word = words_[at];
   const std::size_t count = result_.clauses.size();
+  if ((word == "if" || word == "unless") && at + 1 < end) {  // "if the tap is on, turn it off"
+    ClauseParser inner(*all_words_, language_, *lexicon_);
+    std::size_t stop = at + 1;
+    while (stop < end && words_[stop] != "," && words_[stop] != "then" &&
+           !(stop > at + 2 && opens_command(stop, end) && language_.wanted_by_state(words_[stop]) == Frame::kNone))
+      ++stop;
+    const std::size_t done = inner.statement(at + 1, stop);
+    if (done >= stop && inner.result_.stray.empty() && inner.result_.clauses.size() == 1) {
+      Clause clause = inner.result_.clauses.front();
+      const bool says = !clause.state.empty() || (!clause.phrases.empty() && !clause.phrases.front().at.empty());
+      if (clause.mood == Mood::kStatement && clause.frame == Frame::kNone && says) {
+        clause.negative = clause.negative != (word == "unless");
+        if (count > 0 && stop >= end)
+          result_.clauses.back().condition = {clause};
+        else
+          condition_ = {clause};
+        return stop;
+      }
+    }
+  }
   if (word == "if" || word == "unless" || word == "whenever") {
     if (result_.problem.empty())
       result_.problem = "conditions (\"" + word + " ...\") are not understood; say what to do now";
@@ -209,7 +261,12 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
   if (word == "as" && at + 1 < end && (words_[at + 1] == "well" || words_[at + 1] == "soon")) return at + 2;
   // until it is hot; because I am thirsty; so that I can sit down; where it belongs; while you are there
   std::size_t next = at + 1;
-  while (next < end && words_[next] != "," &&
+  const bool reason = word == "since" || word == "because" || word == "while";
+  const auto command_begins = [&](std::size_t i) {
+    return reason && i > at + 2 && opens_command(i, end) && reader_.starts(i + 1, end) && words_[i - 1] != "to" &&
+           words_[i - 1] != "i" && words_[i - 1] != "you" && words_[i - 1] != "can" && words_[i - 1] != "not";
+  };
+  while (next < end && words_[next] != "," && !command_begins(next) &&
          !(words_[next] == "and" && opens_command(skip_joins(next, end), end)))
     ++next;
   return next;
@@ -244,6 +301,10 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     const std::string& word = words_[i];
     if (language_.joins(word)) {
       const std::size_t next = skip_joins(i, end);
+      if (next < end && words_[next] == "not" && !opens_command(next + 1, end) && reader_.starts(next + 1, end)) {
+        i = next;
+        continue;
+      }
       if (next >= end || starts_clause(next, end)) break;
       NounPhrase phrase;
       const std::size_t done = reader_.read(next, end, phrase);
@@ -279,6 +340,25 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       i = std::max(next, i + 1);
       continue;
     }
+    if (word == "not" && i + 1 < end && !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
+      NounPhrase phrase;
+      if (const std::size_t done = reader_.read(i + 1, end, phrase); done != i + 1) {
+        phrase.role = Role::kExcept;
+        clause.phrases.push_back(std::move(phrase));
+        i = done;
+        continue;
+      }
+    }
+    if (word == "where" && (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {  // "where the mug is"
+      NounPhrase beside;
+      const std::size_t done = reader_.read(i + 1, end, beside);
+      if (done != i + 1 && done < end && language_.copula(words_[done])) {
+        beside.role = Role::kDestination, beside.where = Where::kNear;
+        clause.phrases.push_back(std::move(beside));
+        i = done + 1;
+        continue;
+      }
+    }
     if (one_of(word, kSubordinate) || word == "not" || word == "never" || word == "wish") break;
     if (word == "except" || (word == "other" && i + 1 < end && words_[i + 1] == "than")) {
       NounPhrase phrase;
@@ -286,11 +366,13 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       while (k < end && (words_[k] == "for" || words_[k] == "than")) ++k;
       const std::size_t done = reader_.read(k, end, phrase);
       phrase.role = Role::kExcept;
-      NounPhrase place;
-      if (const std::size_t after = reader_.read_place(done, end, place); after != done)
-        phrase.at.push_back(place), i = after;
-      else
-        i = std::max(done, i + 1);
+      NounPhrase place, next_place;
+      const std::size_t after = reader_.read_place(done, end, place);
+      // "except the one on the shelf"; of "all but book 3 on the table" the table is where things go
+      const bool its_place = after != done && (phrase.word == "one" || clause.first(Role::kDestination) != nullptr ||
+                                               reader_.read_place(after, end, next_place) != after);
+      if (its_place) phrase.at.push_back(place);
+      i = its_place ? after : std::max(done, i + 1);
       clause.phrases.push_back(std::move(phrase));
       continue;
     }
@@ -356,6 +438,15 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     NounPhrase there;
     there.role = Role::kDestination, there.pronoun = true, there.word = word;
     clause.phrases.push_back(there);
+    return i + 1;
+  }
+  // "open the microwave and put the mug inside"
+  if ((word == "inside" || word == "in") && !reader_.starts(i + 1, end) && !clause.phrases.empty() &&
+      clause.first(Role::kDestination) == nullptr &&
+      (clause.frame == Frame::kPlace || clause.frame == Frame::kBring || clause.frame == Frame::kInsert)) {
+    NounPhrase it;
+    it.role = Role::kDestination, it.where = Where::kIn, it.pronoun = true, it.word = "it";
+    clause.phrases.push_back(it);
     return i + 1;
   }
   if (word == "here") {

@@ -27,6 +27,8 @@ struct Clause {
   bool to_person = false;  // "bring me", "to the guest", "here"
   bool wish = false;       // "I want a coke"
   bool negative = false;   // of a statement: "is not on"
+  // "if the tap is on, ...": the statement that must hold; empty: no condition.
+  std::vector<Clause> condition;
 
   bool has(const std::string& word) const;
   bool has_particle(const std::string& word) const;

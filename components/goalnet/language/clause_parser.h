@@ -8,7 +8,7 @@ namespace goalnet::inference {
 class ClauseParser {
  public:
   ClauseParser(const Words& words, const Language& language, const Lexicon& lexicon)
-      : words_(words.text), language_(language), lexicon_(&lexicon), reader_(words, language, lexicon) {}
+      : all_words_(&words), words_(words.text), language_(language), lexicon_(&lexicon), reader_(words, language, lexicon) {}
 
   ParsedSentence parse();
 
@@ -32,12 +32,14 @@ class ClauseParser {
   void add(Clause clause);
   void name_pronouns(Clause& clause, const Clause& by) const;
 
+  const Words* all_words_;
   const std::vector<std::string>& words_;
   const Language& language_;
   const Lexicon* lexicon_;
   NounPhraseReader reader_;
   ParsedSentence result_;
   std::size_t insert_before_ = SIZE_MAX;  // where the next clause belongs ("before doing A, do B")
+  std::vector<Clause> condition_;          // of the commands of this sentence
   bool ensured_ = false;                  // "make sure that ..."
   std::vector<NounPhrase> fronted_;       // "in the sink, put ..."
 };

@@ -16,7 +16,7 @@ bool one_of(const std::string& word, const std::array<std::string_view, N>& word
 
 constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,     "she"sv,
                                   "im"sv, "somebody"sv, "someone"sv, "nobody"sv, "everyone"sv};
-constexpr std::array kDesire = {"should"sv, "must"sv, "need"sv, "ought"sv, "want"sv, "supposed"sv, "shall"sv};
+constexpr std::array kDesire = {"better"sv, "go"sv, "goes"sv, "goe"sv, "belong"sv, "belongs"sv, "should"sv, "must"sv, "need"sv, "ought"sv, "want"sv, "supposed"sv, "shall"sv};
 
 }  // namespace
 
@@ -26,7 +26,7 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   const bool there = words_[i] == "there" || words_[i] == "here";
   if (there) {
     ++i;
-    while (i < end && language_.copula(words_[i])) ++i;
+    for (; i < end && language_.copula(words_[i]); ++i) desired = desired || one_of(words_[i], kDesire);
   }
   if (one_of(words_[i < end ? i : at], kSpeakers) || language_.wish(words_[i < end ? i : at]) != nullptr) {
     // "I am thirsty", "you left the tap on", "somebody spilled the coffee"
@@ -44,6 +44,12 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       }
     }
     for (std::size_t k = i + 1; k < stop; ++k) {
+      if ((words_[k] == "forgot" || words_[k] == "forget" || words_[k] == "forgotten") && k + 2 < end && words_[k + 1] == "to" &&
+          opens_command(k + 2, end)) {
+        const std::size_t done = command(k + 2, end, Mood::kStatement);
+        result_.clauses.back().wish = true;
+        return done;
+      }
       if (words_[k] == "and" && starts_clause(skip_joins(k, end), end)) return k;
       if (opens_command(k, end) &&
           (language_.verb_base(words_[k]) == "leave" || language_.participle(words_[k]) ||
@@ -159,6 +165,17 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
       }
       continue;
     }
+    if (NounPhrase content; desired && !negative && clause.mood == Mood::kStatement) {  // "should have water in it"
+      const std::size_t done = reader_.read(i, end, content);
+      if (done != i && language_.content(content.phrase) != symbol::kNone) {
+        clause.mood = Mood::kCommand, clause.frame = Frame::kFill, clause.verb = "fill";
+        content.role = Role::kWith;
+        clause.phrases.push_back(content);
+        i = done;
+        if (i + 1 < end && (words_[i] == "in" || words_[i] == "inside") && words_[i + 1] == "it") i += 2;
+        continue;
+      }
+    }
     // a new command without a join: "i cannot see it turn on the tv"
     if (opens_command(i, end) && i > at) return i;
     ++i;
@@ -206,15 +223,26 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
     clause.frame = Frame::kPlace, clause.verb = "put";
+    std::size_t last = done;
+    NounPhrase second;  // "everything on the counter into the sink"
+    if (const std::size_t after = reader_.read_place(done, end, second); after != done) {
+      for (NounPhrase& phrase : clause.phrases) phrase.at.push_back(place);
+      place = second, last = after;
+    }
     place.role = Role::kDestination;
     clause.phrases.push_back(place);
     add(std::move(clause));
-    return done;
+    return last;
   }
   if (i < end && language_.wanted_by_state(words_[i]) != Frame::kNone) {
     clause.frame = language_.wanted_by_state(words_[i]), clause.verb = clause.state = words_[i];
     add(std::move(clause));
     return i + 1;
+  }
+  if (subject.phrase == "channel" && (subject.has("next") || subject.has("previous"))) {
+    clause.frame = Frame::kChange, clause.verb = "change";
+    add(std::move(clause));
+    return i;
   }
   if (language_.tv_word(subject.phrase) && (subject.number > 0 || subject.ordinal > 0)) {
     clause.frame = Frame::kChange, clause.verb = "change";

@@ -236,6 +236,8 @@ std::string FrameActions::keep(Symbol x, Symbol y, Where where) {
 
 void FrameActions::notice(const Clause& clause) {
   for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role == Role::kDestination && !phrase.pronoun && !phrase.bare() && !phrase.unknown)
+      if (const Objects there = resolver_.options(phrase, Sort::kPlace, now_); !there.empty()) last_destination_ = {there.front()};
     if (phrase.role != Role::kDirect || phrase.pronoun || phrase.bare() || phrase.unknown) continue;
     // what stands where the sentence says counts, not everything of that name
     Objects objects = resolver_.options(phrase, Sort::kAny, now_);
@@ -246,6 +248,15 @@ void FrameActions::notice(const Clause& clause) {
 }
 
 std::string FrameActions::check_forbidden(const Clause& clause, const SymState& start) const {
+  if (clause.frame == Frame::kTry) {  // "without touching the coke"
+    for (const NounPhrase& phrase : clause.phrases) {
+      FrameActions untouched = *this;
+      const Objects objects = phrase.pronoun || phrase.bare() ? Objects{} : untouched.resolver_.options(phrase, Sort::kAny, start);
+      for (const SymAction& macro : macros_)
+        if (contains(objects, macro.x)) return "this cannot be done without touching " + resolver_.name(macro.x);
+    }
+    return {};
+  }
   FrameActions other = *this;
   other.macros_.clear();
   other.steps_.clear();
@@ -268,6 +279,13 @@ std::string FrameActions::add(const Clause& clause) {
   if (!clause.unknown.empty()) return language_.unknown_word(clause.unknown.front());
   for (const NounPhrase& phrase : clause.phrases)
     if (phrase.unknown) return language_.unknown_word(phrase.word);
+  for (const Clause& condition : clause.condition) {
+    Problem problem;
+    const bool so = holds(condition, problem);
+    if (!problem.empty()) return problem;
+    notice(condition);
+    if (!so) return {};
+  }
   const SymState before = now_;
   const std::size_t count = macros_.size();
   const Problem problem = dispatch(clause);
@@ -277,6 +295,49 @@ std::string FrameActions::add(const Clause& clause) {
     steps_.resize(count);
   }
   return problem;
+}
+
+// Whether "the tap is on", "the mug is in the sink" is so now.
+bool FrameActions::holds(const Clause& statement, Problem& problem) {
+  const NounPhrase& subject = statement.phrases.front();
+  NounPhrase plain = subject;
+  plain.at.clear();
+  const Objects objects = subject.pronoun ? pronoun(subject, Sort::kAny, {}) : resolver_.options(plain, Sort::kAny, now_);
+  if (objects.empty()) {
+    problem = unknown_thing(subject, Sort::kAny);
+    return false;
+  }
+  const Symbol object = objects.front();
+  bool so = true;
+  if (!subject.at.empty()) {
+    const int loose = resolver_.doubts().loose;
+    resolver_.options(subject, Sort::kAny, now_);
+    so = resolver_.doubts().loose == loose;
+    resolver_.doubts().loose = loose;
+  }
+  const std::string& state = statement.state;
+  if (state == "on" || state == "running" || state == "lit" || state == "burning") {
+    so = is_on(object);
+  } else if (state == "off") {
+    so = !is_on(object);
+  } else if (state == "open" || state == "closed" || state == "shut") {
+    const bool open = object == kFridge ? now_.is(kFridge, kLeftDoorIsOpen) || now_.is(kFridge, kRightDoorIsOpen)
+                      : object == kMicrowave ? now_.is(kMicrowave, kDoorIsOpen)
+                                             : now_.is(object, kIsOpen);
+    so = open == (state == "open");
+  } else if (!state.empty()) {
+    NounPhrase as_said = plain;
+    as_said.adjectives.push_back(state == "filled" ? "full" : state);
+    if (state != "empty" && state != "full" && state != "filled" && state != "hot" && state != "warm" && state != "cold") {
+      problem = "it is not known whether " + resolver_.name(object) + " is " + state;
+      return false;
+    }
+    const int loose = resolver_.doubts().loose;
+    resolver_.options(as_said, Sort::kAny, now_);
+    so = resolver_.doubts().loose == loose;
+    resolver_.doubts().loose = loose;
+  }
+  return so != statement.negative;
 }
 
 std::string FrameActions::dispatch(const Clause& clause) {

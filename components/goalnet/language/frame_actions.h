@@ -50,6 +50,7 @@ class FrameActions {
   Problem act(const SymAction& macro);
   Problem keep(Symbol x, Symbol y, Where where);
   Problem dispatch(const Clause& clause);
+  bool holds(const Clause& statement, Problem& problem);
 
   // frame_moves.cc: carrying things about
   Problem go(const Clause& clause);

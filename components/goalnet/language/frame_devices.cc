@@ -69,7 +69,13 @@ std::string FrameActions::turn(const Clause& clause, int on) {
     return television(clause);
   if (on != 0 && clause.has_particle("off")) on = 0;
   if (on < 0 && clause.has_particle("on")) on = 1;
-  if (on < 0 && (clause.verb == "turn" || clause.verb == "switch" || clause.verb == "power"))
+  const auto is_knob = [&] {  // those are turned as they are
+    if (thing == nullptr || thing->pronoun || thing->bare()) return false;
+    const auto knobs = resolver_.options(*thing, Sort::kDevice, now_);
+    return thing->has("knob") || (!knobs.empty() && (knobs.front() == kSinkKnob ||
+                                                    (knobs.front() >= kStoveKnob_1 && knobs.front() <= kStoveKnob_4)));
+  };
+  if (on < 0 && (clause.verb == "turn" || clause.verb == "switch" || clause.verb == "power") && !is_knob())
     return "it is not clear whether to turn that on or off";
   // "run to the fridge", "push the book onto the shelf"
   if (thing == nullptr && clause.frame == Frame::kStart && clause.first(Role::kDestination) != nullptr)
@@ -88,12 +94,17 @@ std::string FrameActions::turn(const Clause& clause, int on) {
     Objects devices;
     if (phrase.pronoun) {
       devices = pronoun(phrase, Sort::kDevice, {});
+    } else if (phrase.everything && phrase.at.empty() && on == 0) {  // "turn everything off"
+      for (const Symbol device : {kSinkKnob, kMicrowave, kTv_1, kFridgeButton})
+        if ((device == kFridgeButton || resolver_.exists(device)) && is_on(device)) devices.push_back(device);
+      if (resolver_.exists(kStove)) devices.push_back(kStove);
+      if (devices.empty()) return {};
     } else if (!phrase.bare() && !phrase.everything) {
       devices = resolver_.options(phrase, Sort::kDevice, now_);
       const Objects burners = resolver_.options(phrase, Sort::kPlace, now_);
       const bool one_burner = !burners.empty() && resolver_.is_of_class(burners.front(), "burner") &&
                               (phrase.ordinal > 0 || phrase.number > 0 || phrase.all || phrase.plural ||
-                               phrase.count > 0 || !phrase.at.empty() || phrase.has("other"));
+                               phrase.count > 0 || !phrase.at.empty() || phrase.has("other") || phrase.has("last"));
       if (one_burner) {
         Objects chosen_burners = burners;
         if (!phrase.at.empty() || phrase.number > 0)
@@ -116,7 +127,12 @@ std::string FrameActions::turn(const Clause& clause, int on) {
       if (devices.empty() && on == 1 && !resolver_.named(phrase).empty() &&
           resolver_.is_of_class(resolver_.named(phrase).front(), "kettle"))
         return heat(clause, true);
-      // "start the ice cream" is nonsense; "stop the water" is the tap
+      // "stop the kettle": what heats it is turned off
+      if (devices.empty() && on == 0)
+        for (const Symbol heated : resolver_.options(phrase, Sort::kMovable, now_)) {
+          const Symbol place = resolver_.place_of(heated, now_);
+          if (place == kMicrowave || (place >= kStoveFire_1 && place <= kStoveFire_4)) devices = {place};
+        }
     }
     if (devices.empty()) {
       if (any) continue;
@@ -184,6 +200,12 @@ std::string FrameActions::door(const Clause& clause, bool open) {
       for (auto it = history_.rbegin(); it != history_.rend() && things.empty(); ++it)
         for (const Symbol thing : *it)
           if (openable(thing) && things.empty()) things = {thing};
+    } else if (!open && (phrase.everything || (phrase.phrase == "door" && both))) {  // "close all the doors"
+      any = true;
+      for (const Symbol thing : {kFridge, kMicrowave})
+        if (resolver_.exists(thing) && is_open(thing))
+          if (const Problem problem = open_or_close(thing, false, false, false); !problem.empty()) return problem;
+      continue;
     } else if (!phrase.bare() && !phrase.everything) {
       const bool only_door =
           phrase.phrase == "door" ||

@@ -167,6 +167,13 @@ std::string FrameActions::empty(const Clause& clause) {
   if (destination != nullptr && !destination->pronoun && !destination->bare() &&
       !resolver_.options(*destination, Sort::kVessel, now_).empty())
     return pour(clause);
+  // "empty the shelf"
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      thing != nullptr && !thing->pronoun && !thing->bare() && resolver_.options(*thing, Sort::kVessel, now_).empty()) {
+    const auto places = resolver_.options(*thing, Sort::kPlace, now_);
+    if (!places.empty() && resolver_.class_of(places.front())->place && !now_.has(Relation::kIsGraspable, places.front()))
+      return clear(clause);
+  }
   Problem problem;
   const auto vessels = direct(clause, Sort::kVessel, problem);
   if (!problem.empty()) return problem;
@@ -253,6 +260,11 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
     if (problem = fill_with_water(pot); !problem.empty()) return problem;
     for (const Symbol object : objects)
       if (problem = keep(object, pot, Where::kIn); !problem.empty()) return problem;
+    for (const NounPhrase& phrase : clause.phrases) {  // "with salt"
+      bool done = false;
+      if (phrase.role == Role::kWith && !phrase.pronoun)
+        if (problem = add_content(phrase, pot, done); !problem.empty()) return problem;
+    }
     return heat_objects({pot}, false, where);
   }
   if (boil && resolver_.is_of_class(front, "kettle"))
@@ -329,7 +341,8 @@ std::string FrameActions::add_to(const Clause& clause) {
   if (const NounPhrase* with = clause.first(Role::kWith);
       destination == nullptr && with != nullptr && !whats.empty()) {
     // "season the bowl with salt", "mix the ramen with water"
-    const bool season = clause.verb == "season" || clause.verb == "sprinkle" || clause.verb == "drizzle" ||
+    const auto dishes = whats.front().pronoun || whats.front().bare() ? Objects{} : resolver_.options(whats.front(), Sort::kVessel, now_);
+    const bool season = !dishes.empty() || clause.verb == "season" || clause.verb == "sprinkle" || clause.verb == "drizzle" ||
                         clause.verb == "top";
     if (season) {
       destination = &whats.front();
@@ -373,6 +386,11 @@ std::string FrameActions::add_to(const Clause& clause) {
       if (what.unknown) return unknown_thing(what, Sort::kMovable);
       Problem problem;
       bool done = false;
+      if (clause.frame == Frame::kSqueeze && !what.pronoun && !what.bare()) {
+        const auto bottles = what.everything ? Objects{} : resolver_.options(what, Sort::kMovable, now_);
+        if (bottles.empty() || !now_.has(Relation::kIsSqueezeable, bottles.front()))
+          return (bottles.empty() ? "that" : resolver_.name(bottles.front())) + std::string(" cannot be squeezed");
+      }
       if (what.pronoun) {
         const auto objects = pronoun(what, Sort::kMovable, targets);
         if (objects.empty()) return unknown_thing(what, Sort::kMovable);
@@ -490,10 +508,12 @@ std::string FrameActions::make(const Clause& clause) {
   Problem problem;
   switch (content) {
     case kWater:
-      if (vessel == kNone) vessel = of_class("kettle");
+      if (vessel == kNone) vessel = clause.frame == Frame::kMake ? of_class("kettle") : of_class("glass");
+      if (vessel == kNone) vessel = of_class("long_cup");
       if (vessel == kNone) return "there is nothing here to fill";
       remember({vessel});
-      if (problem = fill_with_water(vessel); !problem.empty() || !hot) return problem;
+      if (problem = fill_with_water(vessel); !problem.empty()) return problem;
+      if (!hot) return clause.frame == Frame::kTake && !now_.holds(vessel) ? act({Verb::kGrasp, vessel}) : Problem{};
       return heat_objects({vessel}, !resolver_.is_of_class(vessel, "kettle") && resolver_.exists(kMicrowave),
                           nullptr);
     case kCoffee:

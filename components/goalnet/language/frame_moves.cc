@@ -37,7 +37,8 @@ std::string FrameActions::take(const Clause& clause) {
       clause.wish && thing != nullptr && !thing->at.empty() && !thing->everything) {
     const int loose = resolver_.doubts().loose;
     const auto there = resolver_.options(*thing, Sort::kMovable, now_);
-    if (resolver_.doubts().loose > loose && !there.empty()) {
+    const bool content = language_.content(thing->phrase) != kNone && there.empty();
+    if ((resolver_.doubts().loose > loose && !there.empty()) || content) {
       resolver_.doubts().loose = loose;
       Clause wanted = clause;
       for (NounPhrase& phrase : wanted.phrases)
@@ -51,6 +52,21 @@ std::string FrameActions::take(const Clause& clause) {
       wanted.frame = Frame::kPlace, wanted.to_person = false;
       return put(wanted);
     }
+  }
+  // "I would like my coffee with vanilla syrup"
+  if (const NounPhrase* with = clause.first(Role::kWith); with != nullptr && !with->pronoun && !with->bare())
+    if (const NounPhrase* thing = clause.first(Role::kDirect); thing != nullptr && !thing->pronoun && !thing->bare()) {
+      const auto vessels = resolver_.options(*thing, Sort::kVessel, now_);
+      bool done = false;
+      if (!vessels.empty() && language_.content(with->phrase) != kNone)
+        if (const Problem problem = add_content(*with, vessels.front(), done); !problem.empty()) return problem;
+    }
+  // "bring me a glass of water": nothing has it yet
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      thing != nullptr && !thing->pronoun && !thing->everything && clause.first(Role::kDestination) == nullptr) {
+    const Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
+    const bool drink = content == kWater || content == kCoffee;
+    if (drink && resolver_.options(*thing, Sort::kMovable, now_).empty()) return make(clause);
   }
   // "take the mug to the sink" says where to put it; "take the mug on the shelf" where it is.
   Clause located = clause;
@@ -82,11 +98,31 @@ std::string FrameActions::put(const Clause& said) {
     if (c != nullptr && !c->place && phrase.joined) phrase.role = Role::kDirect;
     first_place = false;
   }
+  // "put mug sink"
+  if (clause.phrases.size() == 1 && clause.first(Role::kDirect) != nullptr && !clause.phrases.front().modifier.empty() &&
+      clause.particles.empty() && resolver_.options(clause.phrases.front(), Sort::kMovable, now_).empty()) {
+    NounPhrase moved = clause.phrases.front();
+    moved.phrase = moved.word = moved.modifier;
+    moved.modifier.clear();
+    NounPhrase& place = clause.phrases.front();
+    place.role = Role::kDestination, place.where = Where::kOn;
+    place.modifier.clear();
+    clause.phrases.push_back(moved);
+  }
   const NounPhrase* thing = clause.first(Role::kDirect);
   const NounPhrase* destination = nullptr;
   int places_said = 0;
   for (const NounPhrase& phrase : clause.phrases)
     if (phrase.role == Role::kDestination) destination = &phrase, ++places_said;
+  // "with the other drinks": where those are
+  if (destination == nullptr && thing != nullptr)
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kWith && !phrase.bare() && !phrase.pronoun &&
+          !resolver_.options(phrase, Sort::kMovable, now_).empty()) {
+        phrase.role = Role::kDestination, phrase.where = Where::kNear;
+        destination = &phrase;
+        break;
+      }
   // Of two places the first says where it is: "put the cup on the counter in the sink".
   if (places_said > 1)
     for (NounPhrase& phrase : clause.phrases)
@@ -135,9 +171,25 @@ std::string FrameActions::put(const Clause& said) {
     return "it is not clear where to put " + resolver_.name(objects.front());
   }
   if (thing == nullptr)
-    return clause.frame == Frame::kBring || clause.verb == "move" ? go(clause)
-                                                                  : "it is not clear what to put there";
+    return clause.frame == Frame::kBring || clause.frame == Frame::kTake || clause.verb == "move"
+               ? go(clause)
+               : "it is not clear what to put there";
   if (thing->scoop) return scoop(clause);
+  if (language_.tv_word(destination->phrase)) return television(clause);  // "put the tv on channel 2"
+  if (language_.content(destination->phrase) == kIceCream && !thing->pronoun && !resolver_.named(*thing).empty() &&
+      resolver_.named(*thing).front() == kSpoon_1)
+    return scoop_into(kNone, 1);
+  // "put a pot of water on the stove": it has none yet
+  for (NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != Role::kDirect || phrase.content.empty()) continue;
+    NounPhrase plain = phrase;
+    plain.content.clear();
+    const auto vessels = resolver_.options(plain, Sort::kVessel, now_);
+    if (resolver_.options(phrase, Sort::kMovable, now_).empty() && !vessels.empty()) {
+      if (const Problem problem = fill_one(vessels.front(), language_.content(phrase.content)); !problem.empty())
+        return problem;
+    }
+  }
 
   // Contents are poured, shaken or scooped; only vessels are carried.
   const Symbol content = thing->pronoun ? Symbol{kNone} : language_.content(thing->phrase);
@@ -200,7 +252,7 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
     Symbol support = resolver_.place_of(beside.front(), now_);
     const bool fixture = beside.front() == kSink || beside.front() == kSinkKnob || beside.front() == kStove ||
                          beside.front() == kMicrowave || beside.front() == kFridge;
-    if (support == kNone && fixture) support = surface();
+    if (support == kNone && (fixture || now_.has(Relation::kIsGraspable, beside.front()))) support = surface();
     if (support == kNone)
       return "there is nothing beside " + resolver_.name(beside.front()) + " to put things on";
     targets = {support};
@@ -255,6 +307,7 @@ std::string FrameActions::discard(const Clause& clause) {
       if (phrase.role == Role::kDestination) phrase.role = Role::kSource;
     return discard(located);
   }
+  if (clause.to_person) return take(clause);  // "throw me the remote"
   const bool flung = clause.verb == "throw" || clause.verb == "toss" || clause.verb == "chuck";
   if (flung && !clause.has_particle("away") && !clause.has_particle("out"))
     return "it is not clear where to " + clause.verb + " that; say \"throw ... away\" for the bin";
@@ -357,10 +410,12 @@ std::string FrameActions::clear(const Clause& clause) {
   if (place == nullptr && thing != nullptr && !thing->at.empty()) place = &thing->at.front();
   if (place == nullptr) place = thing;
   if (place == nullptr) return "it is not clear what to clear";
-  const auto options = place->pronoun
+  auto options = place->pronoun
                            ? pronoun(*place, Sort::kPlace, {})
                            : resolver_.chosen(*place, resolver_.options(*place, Sort::kPlace, now_));
   if (options.empty()) return unknown_thing(*place, Sort::kPlace);
+  const bool stove = resolver_.is_of_class(options.front(), "burner") && place->ordinal == 0 && place->number == 0;
+  if (stove && !place->pronoun) options = resolver_.options(*place, Sort::kPlace, now_);
   Objects there;
   for (const Symbol at : options) {
     if (resolver_.is_vessel(at)) return empty(clause);

@@ -68,7 +68,10 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       ++result.passed_over;
       continue;
     }
-    if (clause.mood == Mood::kForbidden) continue;
+    if (clause.mood == Mood::kForbidden) {
+      actions.notice(clause);
+      continue;
+    }
     ++result.clauses;
     if (const std::string problem = actions.add(clause); !problem.empty()) result.problems.push_back(problem);
   }

@@ -57,7 +57,7 @@ constexpr std::array kGrammarWords = {
     "without"sv, "before"sv, "after"sv,      "until"sv,     "while"sv,    "if"sv,    "unless"sv,
     "because"sv, "except"sv, "everything"sv, "something"sv, "anything"sv, "rest"sv,  "other"sv,
     "is"sv,      "are"sv,    "was"sv,        "should"sv,    "must"sv,     "need"sv,  "want"sv,
-    "please"sv,  "the"sv,    "wish"sv,       "ensure"sv,    "there"sv,    "here"sv,  "ones"sv,
+    "please"sv,  "the"sv,    "wish"sv,       "use"sv, "using"sv, "let"sv, "forgot"sv, "somebody"sv, "someone"sv, "nobody"sv, "everybody"sv, "everyone"sv, "he"sv, "she"sv, "whatever"sv, "better"sv, "inside"sv, "ensure"sv,    "there"sv,    "here"sv,  "ones"sv,
     "through"sv, "around"sv, "upon"sv,       "towards"sv,   "toward"sv,   "below"sv, "behind"sv,
     "against"sv, "to"sv,     "at"sv,         "by"sv,        "of"sv,       "for"sv,   "you"sv,
     "i"sv,       "we"sv,     "your"sv,       "my"sv};
@@ -233,7 +233,7 @@ bool Language::copula(const std::string& word) const {
   static constexpr std::array kCopulas = {"is"sv,    "are"sv,    "was"sv,     "were"sv, "be"sv,    "been"sv,
                                           "being"sv, "am"sv,     "has"sv,     "have"sv, "had"sv,   "gone"sv,
                                           "went"sv,  "got"sv,    "get"sv,     "look"sv, "feel"sv,  "seem"sv,
-                                          "goe"sv,   "belong"sv, "becomes"sv, "will"sv, "would"sv, "could"sv,
+                                          "does"sv, "do"sv, "did"sv, "goe"sv,   "belong"sv, "becomes"sv, "will"sv, "would"sv, "could"sv,
                                           "stay"sv,  "remain"sv, "should"sv,  "must"sv, "need"sv,  "ought"sv};
   return one_of(word, kCopulas);
 }
@@ -346,7 +346,9 @@ std::string Language::correct(const std::string& word) const {
     if (word.size() == 3) {
       std::string a = word, b = candidate;
       std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
-      if (a != b) distance = allowed + 1;
+      const bool lost = !rewrites_.empty() && candidate.size() == 4 && candidate.front() == word.front() &&
+                        meaningful(candidate);  // "grb", "fil"
+      if (a != b && !lost) distance = allowed + 1;
     }
     if (distance > allowed) continue;
     // People rarely miss the first letter; and words that name or do something matter most.

@@ -23,7 +23,7 @@ constexpr std::array kPronouns = {"it"sv, "them"sv, "they"sv};
 constexpr std::array kPersons = {"me"sv, "us"sv, "you"sv, "him"sv, "myself"sv, "everyone"sv, "everybody"sv};
 constexpr std::array kAll = {"all"sv, "every"sv, "each"sv};
 constexpr std::array kThings = {"everything"sv, "stuff"sv,  "thing"sv, "anything"sv,
-                                "something"sv,  "object"sv, "item"sv};
+                                "something"sv, "whatever"sv,  "object"sv, "item"sv};
 constexpr std::array kMeasures = {"bit"sv,    "pinch"sv,   "splash"sv, "drop"sv,  "lot"sv,    "little"sv,
                                   "piece"sv,  "dash"sv,    "cube"sv,   "slice"sv, "dollop"sv, "kind"sv,
                                   "plenty"sv, "handful"sv, "packet"sv, "tub"sv,   "carton"sv, "squirt"sv,
@@ -35,7 +35,7 @@ constexpr std::array kStates = {"empty"sv,   "full"sv,   "hot"sv,       "cold"sv
                                 "open"sv,    "closed"sv, "left"sv,      "right"sv, "other"sv,
                                 "nearest"sv, "near"sv,   "farthest"sv,  "dirty"sv, "clean"sv,
                                 "wet"sv,     "dry"sv,    "different"sv, "lit"sv,   "free"sv,
-                                "same"sv,    "held"sv,   "boiling"sv,   "last"sv,  "next"sv};
+                                "same"sv,    "held"sv,   "boiling"sv,   "last"sv, "previous"sv,  "next"sv};
 // Adjectives that nothing in a world of facts can tell; kept in mind as such.
 constexpr std::array kVague = {"big"sv,    "small"sv,  "little"sv, "large"sv,     "new"sv,      "old"sv,
                                "red"sv,    "blue"sv,   "green"sv,  "white"sv,     "brown"sv,    "black"sv,
@@ -74,7 +74,7 @@ int ordinal_word(const std::string& word) {
 bool is_pronoun(const std::string& word) { return one_of(word, kPronouns); }
 
 bool place_preposition(const std::string& word, Where* where) {
-  static constexpr std::array<std::pair<std::string_view, Where>, 24> kPlaces = {{
+  static constexpr std::array<std::pair<std::string_view, Where>, 26> kPlaces = {{
       {"on", Where::kOn},       {"onto", Where::kOn},       {"upon", Where::kOn},
       {"over", Where::kOn},     {"atop", Where::kOn},       {"in", Where::kIn},
       {"into", Where::kIn},     {"inside", Where::kIn},     {"within", Where::kIn},
@@ -82,7 +82,7 @@ bool place_preposition(const std::string& word, Where* where) {
       {"near", Where::kNear},   {"by", Where::kNear},       {"beside", Where::kNear},
       {"nearby", Where::kNear}, {"behind", Where::kNear},   {"under", Where::kUnder},
       {"below", Where::kUnder}, {"beneath", Where::kUnder}, {"underneath", Where::kUnder},
-      {"towards", Where::kTo},  {"along", Where::kNear},    {"against", Where::kNear},
+      {"towards", Where::kTo},  {"along", Where::kNear}, {"between", Where::kNear}, {"among", Where::kNear},    {"against", Where::kNear},
   }};
   for (const auto& [name, value] : kPlaces)
     if (name == word) {
@@ -177,6 +177,10 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
     } else if (const int number = number_word(word)) {
       if (word == "one" && determined && !starts(i + 1, end) && !(i + 1 < end && words_.text[i + 1] == "of"))
         break;
+      if (in_place_ && (i + 1 >= end || language_.joins(words_.text[i + 1]))) {  // "change the channel to 5"
+        phrase.number = number, phrase.phrase = phrase.word = one();
+        return phrase.phrase.empty() ? at : i + 1;
+      }
       if (i + 1 >= end) break;
       phrase.count = number, determined = true;
     } else if (const int ordinal = ordinal_word(word)) {
@@ -201,6 +205,10 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
                                    NounPhrase& phrase) const {
   if (i >= end) {
     if (!determined) return i;
+    if ((phrase.ordinal > 0 || !phrase.adjectives.empty()) && !one().empty()) {  // "onto the fourth", "the other"
+      phrase.phrase = phrase.word = one();
+      return i;
+    }
     phrase.pronoun = phrase.all || phrase.count > 0;  // "put both in the sink"
     phrase.plural = phrase.pronoun;
     if (!phrase.pronoun) phrase.unknown = true;
@@ -238,7 +246,7 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
   }
   if (one_of(word, kThings)) {
     phrase.everything = phrase.plural = true,
-    phrase.all = word == "everything" || word == "stuff" || phrase.all || words_.plural[i];
+    phrase.all = word == "everything" || word == "stuff" || word == "whatever" || phrase.all || words_.plural[i];
     phrase.word = word;
     return after(i + 1, end, phrase);
   }
@@ -303,6 +311,7 @@ std::size_t NounPhraseReader::of(std::size_t i, std::size_t end, NounPhrase& phr
   } else if (language_.holds_things(phrase.phrase)) {
     phrase.unknown = inner.phrase.empty(), phrase.modifier = inner.phrase;
   } else if (language_.side_or_part(phrase.phrase)) {
+    if (phrase.phrase == "knob") inner.adjectives.push_back("knob");
     inner.adjectives.insert(inner.adjectives.end(), phrase.adjectives.begin(), phrase.adjectives.end());
     if (inner.ordinal == 0) inner.ordinal = phrase.ordinal;
     inner.role = phrase.role, inner.where = phrase.where, inner.all = inner.all || phrase.all;
@@ -381,6 +390,12 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       }
       const std::size_t done = relative(k, end, phrase);
       if (done == k) return i;
+      i = done;
+      continue;
+    }
+    if (phrase.everything && (word == "is" || word == "are")) {  // "whatever is on the stove"
+      const std::size_t done = relative(i, end, phrase);
+      if (done == i) return i;
       i = done;
       continue;
     }

@@ -251,6 +251,11 @@ std::vector<Symbol> Resolver::options(const NounPhrase& phrase, Sort sort, const
 }
 
 std::vector<Symbol> Resolver::chosen(const NounPhrase& phrase, std::vector<Symbol> options) {
+  if (phrase.ordinal == 1 && phrase.count > 1) {  // "the first two burners"
+    std::sort(options.begin(), options.end(), [&](Symbol a, Symbol b) { return symbols_.name(a) < symbols_.name(b); });
+    if (options.size() > static_cast<std::size_t>(phrase.count)) options.resize(static_cast<std::size_t>(phrase.count), kNone);
+    return options;
+  }
   if (phrase.ordinal > 0) {
     // "the second armchair": by its name, else the second in the row
     for (const Symbol option : options)

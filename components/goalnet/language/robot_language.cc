@@ -1,6 +1,8 @@
 #include "components/goalnet/language/robot_language.h"
 
+#include <algorithm>
 #include <fstream>
+#include <initializer_list>
 #include <sstream>
 
 #include "components/core/config_path.h"
@@ -50,9 +52,19 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   for (const std::string& object : objects)
     if (const Symbol symbol = symbols_.intern(object); symbol != symbol::kNone && symbol != symbol::kRobot)
       lexicon_->class_of(symbol, symbols_);
+  // Parts of things are here with them, though worlds do not list them.
+  std::vector<std::string> with_parts = objects;
+  const auto add_parts = [&](const char* thing, std::initializer_list<const char*> parts) {
+    if (std::find(objects.begin(), objects.end(), thing) != objects.end())
+      with_parts.insert(with_parts.end(), parts.begin(), parts.end());
+  };
+  add_parts("Fridge", {"FridgeLeft", "FridgeRight", "FridgeLeftDoor", "FridgeRightDoor", "FridgeButton"});
+  add_parts("Microwave", {"MicrowaveButton"});
+  add_parts("Stove", {"StoveKnob_1", "StoveKnob_2", "StoveKnob_3", "StoveKnob_4"});
+  add_parts("Sink", {"SinkKnob"});
   Reading reading;
   reading.words = normal_words(tokens, *language_);
-  reading.instruction = see_instruction({}, nullptr, objects, *lexicon_, *language_, symbols_);
+  reading.instruction = see_instruction({}, nullptr, with_parts, *lexicon_, *language_, symbols_);
   const FrameReader reader(*lexicon_, *language_, symbols_);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
   return reading;

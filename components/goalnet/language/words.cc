@@ -34,11 +34,23 @@ bool split(const std::string& token, const Language& language, std::vector<std::
   return false;
 }
 
+// "1. open the fridge 2. take the coke": the numbers only part the sentences.
+void drop_numbering(std::vector<std::string>& tokens) {
+  if (tokens.size() < 3 || tokens[0] != "1" || tokens[1] != ".") return;
+  int next = 1;
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
+    if (tokens[i] == std::to_string(next) && tokens[i + 1] == ".") {
+      tokens.erase(tokens.begin() + static_cast<long>(i));
+      ++next;
+    }
+}
+
 }  // namespace
 
 Words normal_words(const std::vector<std::string>& tokens, const Language& language) {
   Words words;
   std::vector<std::string> mended = tokens;
+  drop_numbering(mended);
   join_pieces(mended, language, words.corrected);
   std::vector<std::string> text;
   for (const std::string& token : mended) {
