@@ -191,7 +191,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       return command(next, end, Mood::kCommand);
     }
   }
-  if (word == "wish") return command(at, end, Mood::kCommand);
+  if (word == "wish" || (word == "have" && reader_.starts(at + 1, end))) return command(at, end, Mood::kCommand);
+  if (language_.asks(word) && at + 1 < end && language_.copula(words_[at + 1])) return question(at, end);
   if (one_of(word, kSubordinate) && !(word == "so" && opens_command(skip_joins(at + 1, end), end)))
     return subordinate(at, end);
   if (word == "so") return at + 1;
@@ -275,8 +276,8 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
 std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
   Clause clause;
   clause.mood = mood;
-  clause.verb = words_[at] == "wish" ? "bring" : language_.verb_base(words_[at]);
-  clause.wish = words_[at] == "wish";
+  clause.wish = words_[at] == "wish" || words_[at] == "have";
+  clause.verb = clause.wish ? "bring" : language_.verb_base(words_[at]);
   clause.frame = clause.wish ? Frame::kTake : language_.verb(words_[at]);
   clause.words = {clause.verb};
   clause.phrases = fronted_;
@@ -433,6 +434,22 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
       (clause.frame == Frame::kTurn || clause.frame == Frame::kStart || clause.frame == Frame::kPlace)) {
     clause.particles.push_back(word);
     return i + 1;
+  }
+  // "give the mug a wash"
+  if (word == "a" && clause.frame == Frame::kTake && !clause.phrases.empty() && i + 1 < end) {
+    std::size_t k = i + 1;
+    while (k + 1 < end && (words_[k] == "quick" || words_[k] == "good" || words_[k] == "nice" || words_[k] == "little")) ++k;
+    const Frame noun = language_.verb(words_[k]);
+    if ((noun == Frame::kWash || noun == Frame::kHeat) && reader_.name_length(k) == 0) {
+      clause.frame = noun, clause.verb = language_.verb_base(words_[k]), clause.to_person = false;
+      return k + 1;
+    }
+  }
+  if (Where there_where = Where::kTo; i + 1 < end && words_[i + 1] == "there" && place_preposition(word, &there_where)) {
+    NounPhrase there;
+    there.role = Role::kDestination, there.pronoun = true, there.word = "there", there.where = there_where;
+    clause.phrases.push_back(there);
+    return i + 2;
   }
   if (word == "there" && (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {
     NounPhrase there;

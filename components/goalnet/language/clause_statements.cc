@@ -44,6 +44,7 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       }
     }
     for (std::size_t k = i + 1; k < stop; ++k) {
+      if (words_[k] == "can" || words_[k] == "could" || words_[k] == "not" || words_[k] == "will") continue;
       if ((words_[k] == "forgot" || words_[k] == "forget" || words_[k] == "forgotten") && k + 2 < end && words_[k + 1] == "to" &&
           opens_command(k + 2, end)) {
         const std::size_t done = command(k + 2, end, Mood::kStatement);
@@ -68,6 +69,16 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     clause.mood = Mood::kStatement;
     add(std::move(clause));
     return stop;
+  }
+  // "louder please"
+  if (const Frame sound = i < end ? language_.wanted_by_state(words_[i]) : Frame::kNone;
+      sound == Frame::kRaise || sound == Frame::kLower) {
+    Clause clause;
+    clause.frame = sound, clause.verb = words_[i];
+    clause.phrases.emplace_back();
+    clause.phrases.back().phrase = clause.phrases.back().word = "volume";
+    add(std::move(clause));
+    return i + 1;
   }
   NounPhrase subject;
   const std::size_t named = reader_.read(i, end, subject);
@@ -246,6 +257,11 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   if (language_.tv_word(subject.phrase) && (subject.number > 0 || subject.ordinal > 0)) {
     clause.frame = Frame::kChange, clause.verb = "change";
+    add(std::move(clause));
+    return i;
+  }
+  if (!subject.modifier.empty() && only_harmless_from(i)) {  // "plates sink"
+    clause.frame = Frame::kPlace, clause.verb = "put";
     add(std::move(clause));
     return i;
   }

@@ -64,7 +64,7 @@ FrameActions::Objects FrameActions::pronoun(const NounPhrase& phrase, Sort sort,
     }
     return result;
   };
-  if (phrase.word == "there") return last_destination_;
+  if (phrase.word == "there" && !last_destination_.empty()) return last_destination_;
   Objects found;
   for (auto it = history_.rbegin(); it != history_.rend(); ++it) {
     const Objects fit = fitting(*it);
@@ -139,6 +139,15 @@ FrameActions::Objects FrameActions::places(const NounPhrase& phrase, const Objec
   Objects options =
       phrase.bare() || phrase.unknown ? Objects{} : resolver_.options(phrase, Sort::kPlace, now_);
   std::erase_if(options, [&](Symbol option) { return contains(for_these, option); });
+  // "the other couch": not the one that they stand on
+  if (options.size() > 1 && phrase.number == 0 && phrase.ordinal == 0 && !phrase.all &&
+      (phrase.has("other") || phrase.has("different") || moves_)) {
+    Objects elsewhere = options;
+    std::erase_if(elsewhere, [&](Symbol place) {
+      return std::any_of(for_these.begin(), for_these.end(), [&](Symbol o) { return resolver_.place_of(o, now_) == place; });
+    });
+    if (!elsewhere.empty()) options = elsewhere;
+  }
   if (phrase.ordinal > 0 || phrase.has("last")) options = resolver_.chosen(phrase, options);
   if (options.empty()) {
     if (problem.empty()) problem = unknown_thing(phrase, Sort::kPlace);

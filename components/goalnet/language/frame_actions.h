@@ -96,6 +96,7 @@ class FrameActions {
   std::vector<SymDelta> steps_;
   std::vector<Objects> history_;  // what "it" may mean, the newest last
   Objects last_destination_;      // what "there" means
+  bool moves_ = false;            // "move", "carry": to another place than where it is
   Objects avoid_;                 // places: what stands there already is not what should be put there
 };
 

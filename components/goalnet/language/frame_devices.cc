@@ -65,9 +65,9 @@ std::string FrameActions::turn(const Clause& clause, int on) {
   const bool up = clause.has_particle("up"), down = clause.has_particle("down");
   const NounPhrase* thing = clause.first(Role::kDirect);
   if (about_television(clause) &&
-      (up || down || clause.has("channel") || clause.has("volume") || clause.has("sound")))
+      (up || (down && clause.verb != "power") || clause.has("channel") || clause.has("volume") || clause.has("sound")))
     return television(clause);
-  if (on != 0 && clause.has_particle("off")) on = 0;
+  if (on != 0 && (clause.has_particle("off") || (clause.verb == "power" && down))) on = 0;
   if (on < 0 && clause.has_particle("on")) on = 1;
   const auto is_knob = [&] {  // those are turned as they are
     if (thing == nullptr || thing->pronoun || thing->bare()) return false;
@@ -186,6 +186,7 @@ std::string FrameActions::door(const Clause& clause, bool open) {
                             : thing == kMicrowave && now_.is(kMicrowave, kDoorIsOpen);
   };
   if (clause.phrases.empty()) return "it is not clear what to " + clause.verb;
+  if (!open && (clause.has_particle("off") || clause.has_particle("down"))) return turn(clause, 0);  // "shut the tv off"
   bool any = false;
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.role != Role::kDirect && any) continue;
@@ -246,6 +247,8 @@ bool FrameActions::about_television(const Clause& clause) const {
     if (phrase.pronoun) {
       const auto it = pronoun(phrase, Sort::kDevice, {});
       if (!it.empty() && it.front() == kTv_1) return true;
+      const bool sound = clause.frame == Frame::kRaise || clause.frame == Frame::kLower || clause.frame == Frame::kMute;
+      if (it.empty() && sound && history_.empty()) return true;  // "make it quiet"
     }
   }
   return clause.has("channel") || clause.has("volume") || clause.has("sound");

@@ -30,8 +30,10 @@ std::string FrameActions::go(const Clause& clause) {
 }
 
 std::string FrameActions::take(const Clause& clause) {
-  for (const NounPhrase& phrase : clause.phrases)
+  for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.scoop) return scoop(clause);
+    if (language_.tv_word(phrase.phrase) && phrase.role == Role::kDirect) return television(clause);  // "give me channel 5"
+  }
   // "I want the book on the shelf": put it there, unless that says which
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       clause.wish && thing != nullptr && !thing->at.empty() && !thing->everything) {
@@ -227,7 +229,9 @@ std::string FrameActions::put(const Clause& said) {
   const auto objects = direct(clause, Sort::kMovable, problem);
   avoid_.clear();
   if (!problem.empty()) return problem;
+  moves_ = clause.frame == Frame::kBring && objects.size() == 1;
   problem = put_at(clause, objects, *destination);
+  moves_ = false;
   if (!problem.empty()) return problem;
   if (const NounPhrase* with = clause.first(Role::kWith);
       with != nullptr && !last_destination_.empty() && into_dish) {

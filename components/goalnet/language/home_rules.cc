@@ -25,6 +25,11 @@ void apply_at_home(const SymAction& action, SymState& state) {
   const SymState before = state;
   apply(action, state);
   switch (action.verb) {
+    case Verb::kMoveTo:  // a robot stands at one place; SymSim lets Near pile up
+      state.remove_if([&](SymFact fact) {
+        return relation_of(fact) == Relation::kNear && subject_of(fact) == kRobot && object_of(fact) != action.x;
+      });
+      return;
     case Verb::kPourInto:
       for (Symbol content = kWater; content <= kSalt; ++content)
         if (before.is(action.x, content)) state.remove(sym_fact(Relation::kState, action.x, content));

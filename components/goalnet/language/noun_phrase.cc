@@ -284,6 +284,13 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     phrase.pronoun = phrase.plural = true, phrase.word = phrase.count == 2 ? "both" : "all";
     return i;
   }
+  if (phrase.ordinal > 0 && language_.joins(word)) {  // "the first and third burner"
+    NounPhrase next;
+    if (read(i + 1, end, next) != i + 1 && !next.phrase.empty()) {
+      phrase.phrase = phrase.word = next.phrase;
+      return i;
+    }
+  }
   if ((phrase.ordinal > 0 || !phrase.adjectives.empty()) && !one().empty() &&
       (place_preposition(word) || language_.joins(word))) {  // "the second on the shelf", "and the other in"
     phrase.phrase = phrase.word = one();
@@ -373,8 +380,21 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       i = done;
       continue;
     }
-    if ((word == "that" || word == "which" || word == "who") && i + 1 < end) {
+    if ((word == "that" || word == "which" || word == "who" || word == "where") && i + 1 < end) {
       std::size_t k = i + 1;
+      // "the burner that the kettle is on", "the shelf where the beer is"
+      if (NounPhrase there; names_[k] > 0 || one_of(words_.text[k], kArticles)) {
+        const std::size_t done = read(k, end, there);
+        if (done < end && (words_.text[done] == "is" || words_.text[done] == "are" || words_.text[done] == "stand" ||
+                           words_.text[done] == "lie" || words_.text[done] == "sit")) {
+          there.where = Where::kUnder;
+          phrase.at.push_back(there);
+          i = done + 1;
+          if (i < end && (words_.text[i] == "on" || words_.text[i] == "in" || words_.text[i] == "at")) ++i;
+          continue;
+        }
+      }
+      if (word == "where") return i;
       // "the mug that has coffee in it"
       if (words_.text[k] == "has" || words_.text[k] == "have" || words_.text[k] == "hold" ||
           words_.text[k] == "contain") {
