@@ -319,7 +319,7 @@ std::string FrameActions::discard(const Clause& clause) {
   const NounPhrase* thing = clause.first(Role::kDirect);
   const Symbol bin = resolver_.exists(kGarbageBin_1) ? Symbol{kGarbageBin_1} : Symbol{kNone};
   if (bin == kNone && content != kNone && thing != nullptr) return pour(clause);
-  if (bin == kNone) return "there is no bin here";
+  if (bin == kNone) return "there is no bin here to throw things into";
   Problem problem;
   const auto objects = direct(clause, Sort::kMovable, problem);
   if (!problem.empty()) return problem;

@@ -166,7 +166,8 @@ int Resolver::faults(const NounPhrase& phrase, const SeenObject& seen, const Sym
   const auto wants = [&](const char* adjective, bool holds) {
     count += phrase.has(adjective) && !holds ? kFault : 0;
   };
-  wants("empty", is_empty(object, now));
+  const ObjectClass& c = lexicon_.object_class(seen.class_id);
+  wants("empty", c.place ? !taken(object, now) : is_empty(object, now));
   wants("full", !is_empty(object, now));
   wants("free", !taken(object, now));
   wants("hot", now.is(object, ktemperatureHigh));

@@ -22,9 +22,11 @@ Expected<std::string> text_of(const std::string& path) {
 
 Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   std::unique_ptr<RobotLanguage> robot(new RobotLanguage(symbols));
-  std::string texts[3], paths[3];
-  const char* names[3] = {"language/household.json", "language/english.json", "language/words.json"};
-  for (int i = 0; i < 3; ++i) {
+  constexpr int kFiles = 4;
+  std::string texts[kFiles], paths[kFiles];
+  const char* names[kFiles] = {"language/household.json", "language/english.json", "language/words.json",
+                               "language/confidence.json"};
+  for (int i = 0; i < kFiles; ++i) {
     paths[i] = config_path(names[i]);
     auto text = text_of(paths[i]);
     if (!text) return tl::unexpected(text.error());
@@ -42,6 +44,9 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
     return tl::unexpected(added.error());
   if (auto added = robot->language_->add_other_words(texts[2], paths[2]); !added)
     return tl::unexpected(added.error());
+  auto confidence = ReadingConfidence::parse(texts[3], paths[3]);
+  if (!confidence) return tl::unexpected(confidence.error());
+  robot->confidence_ = *confidence;
   return robot;
 }
 

@@ -4,13 +4,14 @@
 #include <memory>
 #include <string>
 
+#include "components/goalnet/language/reading_confidence.h"
 #include "components/goalnet/language/frames.h"
 
 namespace goalnet::inference {
 
 class RobotLanguage {
  public:
-  // Reads household.json, english.json and words.json. Fails with kInvalidRequest: which file, what is wrong.
+  // Reads household.json, english.json, words.json and confidence.json. Fails with kInvalidRequest: which file, what is wrong.
   static Expected<std::unique_ptr<RobotLanguage>> load(Symbols& symbols);
 
   struct Reading {
@@ -22,12 +23,15 @@ class RobotLanguage {
   Reading read(const std::vector<std::string>& tokens, const std::vector<std::string>& objects,
                const SymState& start, const Distances* distances);
 
+  const ReadingConfidence& confidence() const { return confidence_; }
+
  private:
   explicit RobotLanguage(Symbols& symbols) : symbols_(symbols) {}
 
   Symbols& symbols_;
   std::unique_ptr<Lexicon> lexicon_;
   std::unique_ptr<Language> language_;
+  ReadingConfidence confidence_;
 };
 
 }  // namespace goalnet::inference

@@ -143,7 +143,8 @@ RankerModel::Decoded RankerModel::decode_robot(const StepInput& input, const std
   const CandidateRun read = play(start, understanding.macros);
   float support = 0;  // how far the learned runs agree with the reading
   for (const CandidateRun& run : pool) support += (run.weight - run.read) * agreement(read, run).f1;
-  const double confidence = std::clamp(0.6 + 0.4 * static_cast<double>(support), 0.0, 1.0);
+  signs_ = signs_of(reading.words, understanding, support);
+  const double confidence = robot_->confidence().of(signs_);
   for (const SymDelta& step : understanding.steps)
     if (!step.empty()) decoded.steps.push_back(to_goal(step, parts_.symbols, confidence));
   return decoded;

@@ -46,6 +46,8 @@ class RankerModel : public GoalModel {
   // Needed before infer() where the use is kRobot: config/language. Fails with kInvalidRequest.
   Expected<void> read_language();
   std::string_view kind() const override { return "ranker"; }
+  // Of the instruction read last (kRobot): what its confidence was made of.
+  const Signs& signs() const { return signs_; }
 
  private:
   // The whole run that is meant, as the goals of its steps.
@@ -63,6 +65,7 @@ class RankerModel : public GoalModel {
   RankerParts parts_;
   std::unique_ptr<RobotLanguage> robot_;  // refers to parts_.symbols
   ModelUse use_;
+  Signs signs_{};
   std::uint64_t decoded_for_ = 0;  // fingerprint of the input that decoded_ answers
   Decoded decoded_;
 };
