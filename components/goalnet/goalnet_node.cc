@@ -1,5 +1,7 @@
 #include "components/goalnet/goalnet_node.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "components/core/config_path.h"
@@ -34,10 +36,18 @@ Expected<void> GoalnetNode::on_activate() {
   world_state_ = node_.subscribe<goalnet_msgs::msg::WorldState>(
       "world_state", ros::Qos::latched(),
       [this](const goalnet_msgs::msg::WorldState& message) { on_world(message); });
+  object_poses_ = node_.subscribe<goalnet_msgs::msg::ObjectPoses>(
+      "object_poses", ros::Qos::standard(),
+      [this](const goalnet_msgs::msg::ObjectPoses& message) { on_poses(message); });
+  joint_states_ = node_.subscribe<sensor_msgs::msg::JointState>(
+      "joint_states", ros::Qos::standard(),
+      [this](const sensor_msgs::msg::JointState& message) { on_joints(message); });
   return {};
 }
 
 Expected<void> GoalnetNode::on_deactivate() {
+  joint_states_.reset();
+  object_poses_.reset();
   world_state_.reset();
   request_.reset();
   goal_predicates_.reset();
@@ -47,12 +57,44 @@ Expected<void> GoalnetNode::on_deactivate() {
   world_stamp_ = 0;
   states_.clear();
   goals_.clear();
+  positions_.clear();
+  distances_.clear();
+  base_x_.reset();
+  base_y_.reset();
   return {};
 }
 
 Expected<void> GoalnetNode::on_cleanup() {
   model_.reset();
   return {};
+}
+
+void GoalnetNode::on_poses(const goalnet_msgs::msg::ObjectPoses& message) {
+  if (message.objects().size() > messages::kMaxObjects) return;  // the world model says so
+  for (const auto& object : message.objects()) {
+    const auto& position = object.pose().position();
+    if (positions_.size() < messages::kMaxObjects && std::isfinite(position.x()) &&
+        std::isfinite(position.y()))
+      positions_[object.name()] = {position.x(), position.y()};
+  }
+}
+
+void GoalnetNode::on_joints(const sensor_msgs::msg::JointState& message) {
+  const std::size_t count = std::min(message.name().size(), message.position().size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(message.position()[i])) continue;
+    if (message.name()[i] == "base_x") base_x_ = message.position()[i];
+    if (message.name()[i] == "base_y") base_y_ = message.position()[i];
+  }
+}
+
+// Rounded to centimetres: smaller differences are no reason to prefer one thing.
+std::map<std::string, double> GoalnetNode::distances() const {
+  std::map<std::string, double> result;
+  if (!base_x_ || !base_y_) return result;
+  for (const auto& [name, at] : positions_)
+    result[name] = std::round(100 * std::hypot(at[0] - *base_x_, at[1] - *base_y_)) / 100;
+  return result;
 }
 
 void GoalnetNode::on_world(const goalnet_msgs::msg::WorldState& message) {
@@ -87,12 +129,14 @@ void GoalnetNode::answer(const StepRequest& message) {
   if (!continues) {
     states_.clear();
     goals_.clear();
+    distances_ = distances();
   }
   states_.push_back(*world_);
   StepInput input;
   input.sentence = message.instruction();
   input.states = states_;
   input.goals = goals_;
+  if (!distances_.empty()) input.distances = &distances_;
   const auto goal = model_->infer(input);
 
   GoalPredicates answer;

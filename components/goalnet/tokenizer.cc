@@ -33,7 +33,16 @@ std::size_t utf8_length(std::string_view text, std::size_t at, std::uint32_t* co
 
 bool is_separator(std::uint32_t code) {
   return (code >= 0x2000 && code <= 0x206f) || code == 0xa0 || (code >= 0x3000 && code <= 0x3002) ||
-         code == 0xfeff;
+         code == 0xfeff || (code >= 0x2190 && code <= 0x2bff) || (code >= 0x1f000 && code <= 0x1faff) ||
+         (code >= 0xfe00 && code <= 0xfe0f) || code == 0xd7 ||
+         code == 0xf7;  // arrows, pictures, multiplication
+}
+
+// Letters of Western Europe without their accents ("café"); 0 for others.
+char plain_letter(std::uint32_t code) {
+  constexpr std::string_view kLetters = "aaaaaaaceeeeiiiidnoooooxouuuuypy";
+  if (code < 0xc0 || code > 0xff || code == 0xdf) return '\0';
+  return kLetters[(code - 0xc0) % 32];
 }
 
 }  // namespace
@@ -83,6 +92,8 @@ Expected<std::vector<std::string>> tokenize(std::string_view sentence) {
     } else if (c == '/' && !word.empty() && is_digit(static_cast<unsigned char>(word.back())) &&
                is_digit(static_cast<unsigned char>(next))) {
       word.push_back(c);
+    } else if (plain_letter(code) != '\0') {
+      word.push_back(plain_letter(code));
     } else if (length > 1 && !is_separator(code)) {
       word.append(sentence.substr(i, length));
     } else {

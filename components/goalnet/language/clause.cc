@@ -145,7 +145,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     while (verb < end && !opens_command(verb, end) && harmless(verb)) ++verb;
     if (opens_command(verb, end)) return command(verb, end, Mood::kForbidden);
     const std::size_t gerund = at + 1;
-    if (gerund < end && words_[gerund].size() > 5 && words_[gerund].ends_with("ing") && !language_.known(words_[gerund])) {
+    if (gerund < end && words_[gerund].size() > 5 && words_[gerund].ends_with("ing") &&
+        !language_.known(words_[gerund])) {
       Clause clause;  // "without touching the coke", "without spilling anything"
       clause.mood = Mood::kForbidden, clause.frame = Frame::kTry, clause.verb = words_[gerund];
       NounPhrase phrase;
@@ -191,7 +192,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       return command(next, end, Mood::kCommand);
     }
   }
-  if (word == "wish" || (word == "have" && reader_.starts(at + 1, end))) return command(at, end, Mood::kCommand);
+  if (word == "wish" || (word == "have" && reader_.starts(at + 1, end)))
+    return command(at, end, Mood::kCommand);
   if (language_.asks(word) && at + 1 < end && language_.copula(words_[at + 1])) return question(at, end);
   if (one_of(word, kSubordinate) && !(word == "so" && opens_command(skip_joins(at + 1, end), end)))
     return subordinate(at, end);
@@ -218,12 +220,14 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
     ClauseParser inner(*all_words_, language_, *lexicon_);
     std::size_t stop = at + 1;
     while (stop < end && words_[stop] != "," && words_[stop] != "then" &&
-           !(stop > at + 2 && opens_command(stop, end) && language_.wanted_by_state(words_[stop]) == Frame::kNone))
+           !(stop > at + 2 && opens_command(stop, end) &&
+             language_.wanted_by_state(words_[stop]) == Frame::kNone))
       ++stop;
     const std::size_t done = inner.statement(at + 1, stop);
     if (done >= stop && inner.result_.stray.empty() && inner.result_.clauses.size() == 1) {
       Clause clause = inner.result_.clauses.front();
-      const bool says = !clause.state.empty() || (!clause.phrases.empty() && !clause.phrases.front().at.empty());
+      const bool says =
+          !clause.state.empty() || (!clause.phrases.empty() && !clause.phrases.front().at.empty());
       if (clause.mood == Mood::kStatement && clause.frame == Frame::kNone && says) {
         clause.negative = clause.negative != (word == "unless");
         if (count > 0 && stop >= end)
@@ -264,8 +268,9 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
   std::size_t next = at + 1;
   const bool reason = word == "since" || word == "because" || word == "while";
   const auto command_begins = [&](std::size_t i) {
-    return reason && i > at + 2 && opens_command(i, end) && reader_.starts(i + 1, end) && words_[i - 1] != "to" &&
-           words_[i - 1] != "i" && words_[i - 1] != "you" && words_[i - 1] != "can" && words_[i - 1] != "not";
+    return reason && i > at + 2 && opens_command(i, end) && reader_.starts(i + 1, end) &&
+           words_[i - 1] != "to" && words_[i - 1] != "i" && words_[i - 1] != "you" &&
+           words_[i - 1] != "can" && words_[i - 1] != "not";
   };
   while (next < end && words_[next] != "," && !command_begins(next) &&
          !(words_[next] == "and" && opens_command(skip_joins(next, end), end)))
@@ -302,7 +307,8 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     const std::string& word = words_[i];
     if (language_.joins(word)) {
       const std::size_t next = skip_joins(i, end);
-      if (next < end && words_[next] == "not" && !opens_command(next + 1, end) && reader_.starts(next + 1, end)) {
+      if (next < end && words_[next] == "not" && !opens_command(next + 1, end) &&
+          reader_.starts(next + 1, end)) {
         i = next;
         continue;
       }
@@ -341,7 +347,8 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       i = std::max(next, i + 1);
       continue;
     }
-    if (word == "not" && i + 1 < end && !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
+    if (word == "not" && i + 1 < end &&
+        !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
       NounPhrase phrase;
       if (const std::size_t done = reader_.read(i + 1, end, phrase); done != i + 1) {
         phrase.role = Role::kExcept;
@@ -350,7 +357,8 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
     }
-    if (word == "where" && (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {  // "where the mug is"
+    if (word == "where" &&
+        (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {  // "where the mug is"
       NounPhrase beside;
       const std::size_t done = reader_.read(i + 1, end, beside);
       if (done != i + 1 && done < end && language_.copula(words_[done])) {
@@ -370,8 +378,9 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       NounPhrase place, next_place;
       const std::size_t after = reader_.read_place(done, end, place);
       // "except the one on the shelf"; of "all but book 3 on the table" the table is where things go
-      const bool its_place = after != done && (phrase.word == "one" || clause.first(Role::kDestination) != nullptr ||
-                                               reader_.read_place(after, end, next_place) != after);
+      const bool its_place =
+          after != done && (phrase.word == "one" || clause.first(Role::kDestination) != nullptr ||
+                            reader_.read_place(after, end, next_place) != after);
       if (its_place) phrase.at.push_back(place);
       i = its_place ? after : std::max(done, i + 1);
       clause.phrases.push_back(std::move(phrase));
@@ -438,14 +447,17 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
   // "give the mug a wash"
   if (word == "a" && clause.frame == Frame::kTake && !clause.phrases.empty() && i + 1 < end) {
     std::size_t k = i + 1;
-    while (k + 1 < end && (words_[k] == "quick" || words_[k] == "good" || words_[k] == "nice" || words_[k] == "little")) ++k;
+    while (k + 1 < end &&
+           (words_[k] == "quick" || words_[k] == "good" || words_[k] == "nice" || words_[k] == "little"))
+      ++k;
     const Frame noun = language_.verb(words_[k]);
     if ((noun == Frame::kWash || noun == Frame::kHeat) && reader_.name_length(k) == 0) {
       clause.frame = noun, clause.verb = language_.verb_base(words_[k]), clause.to_person = false;
       return k + 1;
     }
   }
-  if (Where there_where = Where::kTo; i + 1 < end && words_[i + 1] == "there" && place_preposition(word, &there_where)) {
+  if (Where there_where = Where::kTo;
+      i + 1 < end && words_[i + 1] == "there" && place_preposition(word, &there_where)) {
     NounPhrase there;
     there.role = Role::kDestination, there.pronoun = true, there.word = "there", there.where = there_where;
     clause.phrases.push_back(there);

@@ -8,7 +8,11 @@ namespace goalnet::inference {
 class ClauseParser {
  public:
   ClauseParser(const Words& words, const Language& language, const Lexicon& lexicon)
-      : all_words_(&words), words_(words.text), language_(language), lexicon_(&lexicon), reader_(words, language, lexicon) {}
+      : all_words_(&words),
+        words_(words.text),
+        language_(language),
+        lexicon_(&lexicon),
+        reader_(words, language, lexicon) {}
 
   ParsedSentence parse();
 
@@ -39,7 +43,7 @@ class ClauseParser {
   NounPhraseReader reader_;
   ParsedSentence result_;
   std::size_t insert_before_ = SIZE_MAX;  // where the next clause belongs ("before doing A, do B")
-  std::vector<Clause> condition_;          // of the commands of this sentence
+  std::vector<Clause> condition_;         // of the commands of this sentence
   bool ensured_ = false;                  // "make sure that ..."
   std::vector<NounPhrase> fronted_;       // "in the sink, put ..."
 };

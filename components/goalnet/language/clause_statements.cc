@@ -16,7 +16,9 @@ bool one_of(const std::string& word, const std::array<std::string_view, N>& word
 
 constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,     "she"sv,
                                   "im"sv, "somebody"sv, "someone"sv, "nobody"sv, "everyone"sv};
-constexpr std::array kDesire = {"better"sv, "go"sv, "goes"sv, "goe"sv, "belong"sv, "belongs"sv, "should"sv, "must"sv, "need"sv, "ought"sv, "want"sv, "supposed"sv, "shall"sv};
+constexpr std::array kDesire = {"better"sv,  "go"sv,       "goes"sv, "goe"sv,  "belong"sv,
+                                "belongs"sv, "should"sv,   "must"sv, "need"sv, "ought"sv,
+                                "want"sv,    "supposed"sv, "shall"sv};
 
 }  // namespace
 
@@ -45,8 +47,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     }
     for (std::size_t k = i + 1; k < stop; ++k) {
       if (words_[k] == "can" || words_[k] == "could" || words_[k] == "not" || words_[k] == "will") continue;
-      if ((words_[k] == "forgot" || words_[k] == "forget" || words_[k] == "forgotten") && k + 2 < end && words_[k + 1] == "to" &&
-          opens_command(k + 2, end)) {
+      if ((words_[k] == "forgot" || words_[k] == "forget" || words_[k] == "forgotten") && k + 2 < end &&
+          words_[k + 1] == "to" && opens_command(k + 2, end)) {
         const std::size_t done = command(k + 2, end, Mood::kStatement);
         result_.clauses.back().wish = true;
         return done;
@@ -176,7 +178,8 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
       }
       continue;
     }
-    if (NounPhrase content; desired && !negative && clause.mood == Mood::kStatement) {  // "should have water in it"
+    if (NounPhrase content;
+        desired && !negative && clause.mood == Mood::kStatement) {  // "should have water in it"
       const std::size_t done = reader_.read(i, end, content);
       if (done != i && language_.content(content.phrase) != symbol::kNone) {
         clause.mood = Mood::kCommand, clause.frame = Frame::kFill, clause.verb = "fill";

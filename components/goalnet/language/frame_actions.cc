@@ -144,7 +144,8 @@ FrameActions::Objects FrameActions::places(const NounPhrase& phrase, const Objec
       (phrase.has("other") || phrase.has("different") || moves_)) {
     Objects elsewhere = options;
     std::erase_if(elsewhere, [&](Symbol place) {
-      return std::any_of(for_these.begin(), for_these.end(), [&](Symbol o) { return resolver_.place_of(o, now_) == place; });
+      return std::any_of(for_these.begin(), for_these.end(),
+                         [&](Symbol o) { return resolver_.place_of(o, now_) == place; });
     });
     if (!elsewhere.empty()) options = elsewhere;
   }
@@ -246,7 +247,8 @@ std::string FrameActions::keep(Symbol x, Symbol y, Where where) {
 void FrameActions::notice(const Clause& clause) {
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.role == Role::kDestination && !phrase.pronoun && !phrase.bare() && !phrase.unknown)
-      if (const Objects there = resolver_.options(phrase, Sort::kPlace, now_); !there.empty()) last_destination_ = {there.front()};
+      if (const Objects there = resolver_.options(phrase, Sort::kPlace, now_); !there.empty())
+        last_destination_ = {there.front()};
     if (phrase.role != Role::kDirect || phrase.pronoun || phrase.bare() || phrase.unknown) continue;
     // what stands where the sentence says counts, not everything of that name
     Objects objects = resolver_.options(phrase, Sort::kAny, now_);
@@ -260,9 +262,12 @@ std::string FrameActions::check_forbidden(const Clause& clause, const SymState& 
   if (clause.frame == Frame::kTry) {  // "without touching the coke"
     for (const NounPhrase& phrase : clause.phrases) {
       FrameActions untouched = *this;
-      const Objects objects = phrase.pronoun || phrase.bare() ? Objects{} : untouched.resolver_.options(phrase, Sort::kAny, start);
+      const Objects objects = phrase.pronoun || phrase.bare()
+                                  ? Objects{}
+                                  : untouched.resolver_.options(phrase, Sort::kAny, start);
       for (const SymAction& macro : macros_)
-        if (contains(objects, macro.x)) return "this cannot be done without touching " + resolver_.name(macro.x);
+        if (contains(objects, macro.x))
+          return "this cannot be done without touching " + resolver_.name(macro.x);
     }
     return {};
   }
@@ -311,7 +316,8 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
   const NounPhrase& subject = statement.phrases.front();
   NounPhrase plain = subject;
   plain.at.clear();
-  const Objects objects = subject.pronoun ? pronoun(subject, Sort::kAny, {}) : resolver_.options(plain, Sort::kAny, now_);
+  const Objects objects =
+      subject.pronoun ? pronoun(subject, Sort::kAny, {}) : resolver_.options(plain, Sort::kAny, now_);
   if (objects.empty()) {
     problem = unknown_thing(subject, Sort::kAny);
     return false;
@@ -330,14 +336,16 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
   } else if (state == "off") {
     so = !is_on(object);
   } else if (state == "open" || state == "closed" || state == "shut") {
-    const bool open = object == kFridge ? now_.is(kFridge, kLeftDoorIsOpen) || now_.is(kFridge, kRightDoorIsOpen)
+    const bool open = object == kFridge
+                          ? now_.is(kFridge, kLeftDoorIsOpen) || now_.is(kFridge, kRightDoorIsOpen)
                       : object == kMicrowave ? now_.is(kMicrowave, kDoorIsOpen)
                                              : now_.is(object, kIsOpen);
     so = open == (state == "open");
   } else if (!state.empty()) {
     NounPhrase as_said = plain;
     as_said.adjectives.push_back(state == "filled" ? "full" : state);
-    if (state != "empty" && state != "full" && state != "filled" && state != "hot" && state != "warm" && state != "cold") {
+    if (state != "empty" && state != "full" && state != "filled" && state != "hot" && state != "warm" &&
+        state != "cold") {
       problem = "it is not known whether " + resolver_.name(object) + " is " + state;
       return false;
     }

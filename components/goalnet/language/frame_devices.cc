@@ -64,16 +64,17 @@ std::string FrameActions::turn_on(Symbol device, bool on, int number) {
 std::string FrameActions::turn(const Clause& clause, int on) {
   const bool up = clause.has_particle("up"), down = clause.has_particle("down");
   const NounPhrase* thing = clause.first(Role::kDirect);
-  if (about_television(clause) &&
-      (up || (down && clause.verb != "power") || clause.has("channel") || clause.has("volume") || clause.has("sound")))
+  if (about_television(clause) && (up || (down && clause.verb != "power") || clause.has("channel") ||
+                                   clause.has("volume") || clause.has("sound")))
     return television(clause);
   if (on != 0 && (clause.has_particle("off") || (clause.verb == "power" && down))) on = 0;
   if (on < 0 && clause.has_particle("on")) on = 1;
   const auto is_knob = [&] {  // those are turned as they are
     if (thing == nullptr || thing->pronoun || thing->bare()) return false;
     const auto knobs = resolver_.options(*thing, Sort::kDevice, now_);
-    return thing->has("knob") || (!knobs.empty() && (knobs.front() == kSinkKnob ||
-                                                    (knobs.front() >= kStoveKnob_1 && knobs.front() <= kStoveKnob_4)));
+    return thing->has("knob") ||
+           (!knobs.empty() &&
+            (knobs.front() == kSinkKnob || (knobs.front() >= kStoveKnob_1 && knobs.front() <= kStoveKnob_4)));
   };
   if (on < 0 && (clause.verb == "turn" || clause.verb == "switch" || clause.verb == "power") && !is_knob())
     return "it is not clear whether to turn that on or off";
@@ -102,9 +103,10 @@ std::string FrameActions::turn(const Clause& clause, int on) {
     } else if (!phrase.bare() && !phrase.everything) {
       devices = resolver_.options(phrase, Sort::kDevice, now_);
       const Objects burners = resolver_.options(phrase, Sort::kPlace, now_);
-      const bool one_burner = !burners.empty() && resolver_.is_of_class(burners.front(), "burner") &&
-                              (phrase.ordinal > 0 || phrase.number > 0 || phrase.all || phrase.plural ||
-                               phrase.count > 0 || !phrase.at.empty() || phrase.has("other") || phrase.has("last"));
+      const bool one_burner =
+          !burners.empty() && resolver_.is_of_class(burners.front(), "burner") &&
+          (phrase.ordinal > 0 || phrase.number > 0 || phrase.all || phrase.plural || phrase.count > 0 ||
+           !phrase.at.empty() || phrase.has("other") || phrase.has("last"));
       if (one_burner) {
         Objects chosen_burners = burners;
         if (!phrase.at.empty() || phrase.number > 0)
@@ -186,7 +188,8 @@ std::string FrameActions::door(const Clause& clause, bool open) {
                             : thing == kMicrowave && now_.is(kMicrowave, kDoorIsOpen);
   };
   if (clause.phrases.empty()) return "it is not clear what to " + clause.verb;
-  if (!open && (clause.has_particle("off") || clause.has_particle("down"))) return turn(clause, 0);  // "shut the tv off"
+  if (!open && (clause.has_particle("off") || clause.has_particle("down")))
+    return turn(clause, 0);  // "shut the tv off"
   bool any = false;
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.role != Role::kDirect && any) continue;
@@ -205,7 +208,8 @@ std::string FrameActions::door(const Clause& clause, bool open) {
       any = true;
       for (const Symbol thing : {kFridge, kMicrowave})
         if (resolver_.exists(thing) && is_open(thing))
-          if (const Problem problem = open_or_close(thing, false, false, false); !problem.empty()) return problem;
+          if (const Problem problem = open_or_close(thing, false, false, false); !problem.empty())
+            return problem;
       continue;
     } else if (!phrase.bare() && !phrase.everything) {
       const bool only_door =
@@ -247,7 +251,8 @@ bool FrameActions::about_television(const Clause& clause) const {
     if (phrase.pronoun) {
       const auto it = pronoun(phrase, Sort::kDevice, {});
       if (!it.empty() && it.front() == kTv_1) return true;
-      const bool sound = clause.frame == Frame::kRaise || clause.frame == Frame::kLower || clause.frame == Frame::kMute;
+      const bool sound =
+          clause.frame == Frame::kRaise || clause.frame == Frame::kLower || clause.frame == Frame::kMute;
       if (it.empty() && sound && history_.empty()) return true;  // "make it quiet"
     }
   }

@@ -14,7 +14,7 @@ constexpr int kMostScoops = 5;
 
 std::string FrameActions::fill_with_water(Symbol vessel) {
   if (now_.is(vessel, kWater)) return {};
-  if (!resolver_.exists(kSink)) return "there is no tap here";
+  if (!resolver_.exists(kSink)) return "there is no tap here to take water from";
   if (!now_.has(Relation::kOn, vessel, kSink))
     if (const Problem problem = act({Verb::kKeepOn, vessel, kSink}); !problem.empty()) return problem;
   if (now_.is(vessel, kWater)) return {};
@@ -29,7 +29,7 @@ std::string FrameActions::fill_one(Symbol vessel, Symbol content) {
   if (source != kNone && source != vessel && content != kWater) return act({Verb::kPourInto, source, vessel});
   if (content == kWater) return fill_with_water(vessel);
   if (content == kIceCream) return scoop_into(vessel, 1);
-  return "nothing here holds that";
+  return "nothing here holds that to pour it";
 }
 
 std::string FrameActions::fill(const Clause& said) {
@@ -144,7 +144,7 @@ std::string FrameActions::pour(const Clause& clause) {
     remember(targets);
     return {};
   }
-  if (source == kNone) return "nothing here holds that";
+  if (source == kNone) return "nothing here holds that to pour it";
   bool holds_something = false;
   for (Symbol c = kWater; c <= kEgg; ++c) holds_something = holds_something || now_.is(source, c);
   if (targets.empty()) {
@@ -169,9 +169,11 @@ std::string FrameActions::empty(const Clause& clause) {
     return pour(clause);
   // "empty the shelf"
   if (const NounPhrase* thing = clause.first(Role::kDirect);
-      thing != nullptr && !thing->pronoun && !thing->bare() && resolver_.options(*thing, Sort::kVessel, now_).empty()) {
+      thing != nullptr && !thing->pronoun && !thing->bare() &&
+      resolver_.options(*thing, Sort::kVessel, now_).empty()) {
     const auto places = resolver_.options(*thing, Sort::kPlace, now_);
-    if (!places.empty() && resolver_.class_of(places.front())->place && !now_.has(Relation::kIsGraspable, places.front()))
+    if (!places.empty() && resolver_.class_of(places.front())->place &&
+        !now_.has(Relation::kIsGraspable, places.front()))
       return clear(clause);
   }
   Problem problem;
@@ -233,7 +235,7 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
     if (vessel == kNone)
       for (const Symbol option : resolver_.all(Sort::kVessel, now_))
         if (resolver_.is_of_class(option, "kettle")) vessel = option;
-    if (vessel == kNone) return "there is no pot here";
+    if (vessel == kNone) return "there is no pot here to heat it in";
     if (problem = fill_with_water(vessel); !problem.empty()) return problem;
     objects = {vessel};
     remember(objects);
@@ -256,7 +258,7 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
       if (phrase.role == Role::kDestination && !phrase.pronoun && !phrase.bare())
         if (const auto options = resolver_.options(phrase, Sort::kVessel, now_); !options.empty())
           pot = options.front();
-    if (pot == kNone) return "there is no pot here";
+    if (pot == kNone) return "there is no pot here to heat it in";
     if (problem = fill_with_water(pot); !problem.empty()) return problem;
     for (const Symbol object : objects)
       if (problem = keep(object, pot, Where::kIn); !problem.empty()) return problem;
@@ -341,9 +343,11 @@ std::string FrameActions::add_to(const Clause& clause) {
   if (const NounPhrase* with = clause.first(Role::kWith);
       destination == nullptr && with != nullptr && !whats.empty()) {
     // "season the bowl with salt", "mix the ramen with water"
-    const auto dishes = whats.front().pronoun || whats.front().bare() ? Objects{} : resolver_.options(whats.front(), Sort::kVessel, now_);
-    const bool season = !dishes.empty() || clause.verb == "season" || clause.verb == "sprinkle" || clause.verb == "drizzle" ||
-                        clause.verb == "top";
+    const auto dishes = whats.front().pronoun || whats.front().bare()
+                            ? Objects{}
+                            : resolver_.options(whats.front(), Sort::kVessel, now_);
+    const bool season = !dishes.empty() || clause.verb == "season" || clause.verb == "sprinkle" ||
+                        clause.verb == "drizzle" || clause.verb == "top";
     if (season) {
       destination = &whats.front();
       const NounPhrase target = *destination;
@@ -389,7 +393,8 @@ std::string FrameActions::add_to(const Clause& clause) {
       if (clause.frame == Frame::kSqueeze && !what.pronoun && !what.bare()) {
         const auto bottles = what.everything ? Objects{} : resolver_.options(what, Sort::kMovable, now_);
         if (bottles.empty() || !now_.has(Relation::kIsSqueezeable, bottles.front()))
-          return (bottles.empty() ? "that" : resolver_.name(bottles.front())) + std::string(" cannot be squeezed");
+          return (bottles.empty() ? "that" : resolver_.name(bottles.front())) +
+                 std::string(" cannot be squeezed");
       }
       if (what.pronoun) {
         const auto objects = pronoun(what, Sort::kMovable, targets);
@@ -513,7 +518,8 @@ std::string FrameActions::make(const Clause& clause) {
       if (vessel == kNone) return "there is nothing here to fill";
       remember({vessel});
       if (problem = fill_with_water(vessel); !problem.empty()) return problem;
-      if (!hot) return clause.frame == Frame::kTake && !now_.holds(vessel) ? act({Verb::kGrasp, vessel}) : Problem{};
+      if (!hot)
+        return clause.frame == Frame::kTake && !now_.holds(vessel) ? act({Verb::kGrasp, vessel}) : Problem{};
       return heat_objects({vessel}, !resolver_.is_of_class(vessel, "kettle") && resolver_.exists(kMicrowave),
                           nullptr);
     case kCoffee:
@@ -532,7 +538,7 @@ std::string FrameActions::make(const Clause& clause) {
     case kRamen:
     case kEgg: {
       if (vessel == kNone) vessel = of_class("kettle");
-      if (vessel == kNone) return "there is no pot here";
+      if (vessel == kNone) return "there is no pot here to heat it in";
       remember({vessel});
       const Symbol food = content == kRamen ? Symbol{kRamen_1} : Symbol{kBoiledEgg_1};
       if (!resolver_.exists(food)) return "there is no " + thing->word + " here";

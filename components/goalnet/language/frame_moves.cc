@@ -32,7 +32,8 @@ std::string FrameActions::go(const Clause& clause) {
 std::string FrameActions::take(const Clause& clause) {
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.scoop) return scoop(clause);
-    if (language_.tv_word(phrase.phrase) && phrase.role == Role::kDirect) return television(clause);  // "give me channel 5"
+    if (language_.tv_word(phrase.phrase) && phrase.role == Role::kDirect)
+      return television(clause);  // "give me channel 5"
   }
   // "I want the book on the shelf": put it there, unless that says which
   if (const NounPhrase* thing = clause.first(Role::kDirect);
@@ -57,15 +58,18 @@ std::string FrameActions::take(const Clause& clause) {
   }
   // "I would like my coffee with vanilla syrup"
   if (const NounPhrase* with = clause.first(Role::kWith); with != nullptr && !with->pronoun && !with->bare())
-    if (const NounPhrase* thing = clause.first(Role::kDirect); thing != nullptr && !thing->pronoun && !thing->bare()) {
+    if (const NounPhrase* thing = clause.first(Role::kDirect);
+        thing != nullptr && !thing->pronoun && !thing->bare()) {
       const auto vessels = resolver_.options(*thing, Sort::kVessel, now_);
       bool done = false;
       if (!vessels.empty() && language_.content(with->phrase) != kNone)
-        if (const Problem problem = add_content(*with, vessels.front(), done); !problem.empty()) return problem;
+        if (const Problem problem = add_content(*with, vessels.front(), done); !problem.empty())
+          return problem;
     }
   // "bring me a glass of water": nothing has it yet
-  if (const NounPhrase* thing = clause.first(Role::kDirect);
-      thing != nullptr && !thing->pronoun && !thing->everything && clause.first(Role::kDestination) == nullptr) {
+  if (const NounPhrase* thing = clause.first(Role::kDirect); thing != nullptr && !thing->pronoun &&
+                                                             !thing->everything &&
+                                                             clause.first(Role::kDestination) == nullptr) {
     const Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
     const bool drink = content == kWater || content == kCoffee;
     if (drink && resolver_.options(*thing, Sort::kMovable, now_).empty()) return make(clause);
@@ -101,8 +105,9 @@ std::string FrameActions::put(const Clause& said) {
     first_place = false;
   }
   // "put mug sink"
-  if (clause.phrases.size() == 1 && clause.first(Role::kDirect) != nullptr && !clause.phrases.front().modifier.empty() &&
-      clause.particles.empty() && resolver_.options(clause.phrases.front(), Sort::kMovable, now_).empty()) {
+  if (clause.phrases.size() == 1 && clause.first(Role::kDirect) != nullptr &&
+      !clause.phrases.front().modifier.empty() && clause.particles.empty() &&
+      resolver_.options(clause.phrases.front(), Sort::kMovable, now_).empty()) {
     NounPhrase moved = clause.phrases.front();
     moved.phrase = moved.word = moved.modifier;
     moved.modifier.clear();
@@ -178,8 +183,8 @@ std::string FrameActions::put(const Clause& said) {
                : "it is not clear what to put there";
   if (thing->scoop) return scoop(clause);
   if (language_.tv_word(destination->phrase)) return television(clause);  // "put the tv on channel 2"
-  if (language_.content(destination->phrase) == kIceCream && !thing->pronoun && !resolver_.named(*thing).empty() &&
-      resolver_.named(*thing).front() == kSpoon_1)
+  if (language_.content(destination->phrase) == kIceCream && !thing->pronoun &&
+      !resolver_.named(*thing).empty() && resolver_.named(*thing).front() == kSpoon_1)
     return scoop_into(kNone, 1);
   // "put a pot of water on the stove": it has none yet
   for (NounPhrase& phrase : clause.phrases) {
@@ -188,7 +193,8 @@ std::string FrameActions::put(const Clause& said) {
     plain.content.clear();
     const auto vessels = resolver_.options(plain, Sort::kVessel, now_);
     if (resolver_.options(phrase, Sort::kMovable, now_).empty() && !vessels.empty()) {
-      if (const Problem problem = fill_one(vessels.front(), language_.content(phrase.content)); !problem.empty())
+      if (const Problem problem = fill_one(vessels.front(), language_.content(phrase.content));
+          !problem.empty())
         return problem;
     }
   }
@@ -256,7 +262,8 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
     Symbol support = resolver_.place_of(beside.front(), now_);
     const bool fixture = beside.front() == kSink || beside.front() == kSinkKnob || beside.front() == kStove ||
                          beside.front() == kMicrowave || beside.front() == kFridge;
-    if (support == kNone && (fixture || now_.has(Relation::kIsGraspable, beside.front()))) support = surface();
+    if (support == kNone && (fixture || now_.has(Relation::kIsGraspable, beside.front())))
+      support = surface();
     if (support == kNone)
       return "there is nothing beside " + resolver_.name(beside.front()) + " to put things on";
     targets = {support};
@@ -414,11 +421,11 @@ std::string FrameActions::clear(const Clause& clause) {
   if (place == nullptr && thing != nullptr && !thing->at.empty()) place = &thing->at.front();
   if (place == nullptr) place = thing;
   if (place == nullptr) return "it is not clear what to clear";
-  auto options = place->pronoun
-                           ? pronoun(*place, Sort::kPlace, {})
-                           : resolver_.chosen(*place, resolver_.options(*place, Sort::kPlace, now_));
+  auto options = place->pronoun ? pronoun(*place, Sort::kPlace, {})
+                                : resolver_.chosen(*place, resolver_.options(*place, Sort::kPlace, now_));
   if (options.empty()) return unknown_thing(*place, Sort::kPlace);
-  const bool stove = resolver_.is_of_class(options.front(), "burner") && place->ordinal == 0 && place->number == 0;
+  const bool stove =
+      resolver_.is_of_class(options.front(), "burner") && place->ordinal == 0 && place->number == 0;
   if (stove && !place->pronoun) options = resolver_.options(*place, Sort::kPlace, now_);
   Objects there;
   for (const Symbol at : options) {

@@ -27,7 +27,8 @@ void apply_at_home(const SymAction& action, SymState& state) {
   switch (action.verb) {
     case Verb::kMoveTo:  // a robot stands at one place; SymSim lets Near pile up
       state.remove_if([&](SymFact fact) {
-        return relation_of(fact) == Relation::kNear && subject_of(fact) == kRobot && object_of(fact) != action.x;
+        return relation_of(fact) == Relation::kNear && subject_of(fact) == kRobot &&
+               object_of(fact) != action.x;
       });
       return;
     case Verb::kPourInto:

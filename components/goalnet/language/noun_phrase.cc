@@ -22,8 +22,8 @@ constexpr std::array kPointers = {"this"sv, "that"sv, "these"sv, "those"sv};
 constexpr std::array kPronouns = {"it"sv, "them"sv, "they"sv};
 constexpr std::array kPersons = {"me"sv, "us"sv, "you"sv, "him"sv, "myself"sv, "everyone"sv, "everybody"sv};
 constexpr std::array kAll = {"all"sv, "every"sv, "each"sv};
-constexpr std::array kThings = {"everything"sv, "stuff"sv,  "thing"sv, "anything"sv,
-                                "something"sv, "whatever"sv,  "object"sv, "item"sv};
+constexpr std::array kThings = {"everything"sv, "stuff"sv,    "thing"sv,  "anything"sv,
+                                "something"sv,  "whatever"sv, "object"sv, "item"sv};
 constexpr std::array kMeasures = {"bit"sv,    "pinch"sv,   "splash"sv, "drop"sv,  "lot"sv,    "little"sv,
                                   "piece"sv,  "dash"sv,    "cube"sv,   "slice"sv, "dollop"sv, "kind"sv,
                                   "plenty"sv, "handful"sv, "packet"sv, "tub"sv,   "carton"sv, "squirt"sv,
@@ -31,11 +31,11 @@ constexpr std::array kMeasures = {"bit"sv,    "pinch"sv,   "splash"sv, "drop"sv,
 // Words for many things at once.
 constexpr std::array kCollective = {"cutlery"sv,   "silverware"sv, "flatware"sv,  "glassware"sv,
                                     "tableware"sv, "crockery"sv,   "drinkware"sv, "furniture"sv};
-constexpr std::array kStates = {"empty"sv,   "full"sv,   "hot"sv,       "cold"sv,  "warm"sv,
-                                "open"sv,    "closed"sv, "left"sv,      "right"sv, "other"sv,
-                                "nearest"sv, "near"sv,   "farthest"sv,  "dirty"sv, "clean"sv,
-                                "wet"sv,     "dry"sv,    "different"sv, "lit"sv,   "free"sv,
-                                "same"sv,    "held"sv,   "boiling"sv,   "last"sv, "previous"sv,  "next"sv};
+constexpr std::array kStates = {"empty"sv,    "full"sv,  "hot"sv,   "cold"sv,  "warm"sv,    "open"sv,
+                                "closed"sv,   "left"sv,  "right"sv, "other"sv, "nearest"sv, "near"sv,
+                                "farthest"sv, "dirty"sv, "clean"sv, "wet"sv,   "dry"sv,     "different"sv,
+                                "lit"sv,      "free"sv,  "same"sv,  "held"sv,  "boiling"sv, "last"sv,
+                                "previous"sv, "next"sv};
 // Adjectives that nothing in a world of facts can tell; kept in mind as such.
 constexpr std::array kVague = {"big"sv,    "small"sv,  "little"sv, "large"sv,     "new"sv,      "old"sv,
                                "red"sv,    "blue"sv,   "green"sv,  "white"sv,     "brown"sv,    "black"sv,
@@ -82,7 +82,8 @@ bool place_preposition(const std::string& word, Where* where) {
       {"near", Where::kNear},   {"by", Where::kNear},       {"beside", Where::kNear},
       {"nearby", Where::kNear}, {"behind", Where::kNear},   {"under", Where::kUnder},
       {"below", Where::kUnder}, {"beneath", Where::kUnder}, {"underneath", Where::kUnder},
-      {"towards", Where::kTo},  {"along", Where::kNear}, {"between", Where::kNear}, {"among", Where::kNear},    {"against", Where::kNear},
+      {"towards", Where::kTo},  {"along", Where::kNear},    {"between", Where::kNear},
+      {"among", Where::kNear},  {"against", Where::kNear},
   }};
   for (const auto& [name, value] : kPlaces)
     if (name == word) {
@@ -205,7 +206,8 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
                                    NounPhrase& phrase) const {
   if (i >= end) {
     if (!determined) return i;
-    if ((phrase.ordinal > 0 || !phrase.adjectives.empty()) && !one().empty()) {  // "onto the fourth", "the other"
+    if ((phrase.ordinal > 0 || !phrase.adjectives.empty()) &&
+        !one().empty()) {  // "onto the fourth", "the other"
       phrase.phrase = phrase.word = one();
       return i;
     }
@@ -245,8 +247,9 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     return after(i + 1, end, phrase);
   }
   if (one_of(word, kThings)) {
-    phrase.everything = phrase.plural = true,
-    phrase.all = word == "everything" || word == "stuff" || word == "whatever" || phrase.all || words_.plural[i];
+    phrase.everything = phrase.plural = true, phrase.all = word == "everything" || word == "stuff" ||
+                                                           word == "whatever" || phrase.all ||
+                                                           words_.plural[i];
     phrase.word = word;
     return after(i + 1, end, phrase);
   }
@@ -385,8 +388,9 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       // "the burner that the kettle is on", "the shelf where the beer is"
       if (NounPhrase there; names_[k] > 0 || one_of(words_.text[k], kArticles)) {
         const std::size_t done = read(k, end, there);
-        if (done < end && (words_.text[done] == "is" || words_.text[done] == "are" || words_.text[done] == "stand" ||
-                           words_.text[done] == "lie" || words_.text[done] == "sit")) {
+        if (done < end &&
+            (words_.text[done] == "is" || words_.text[done] == "are" || words_.text[done] == "stand" ||
+             words_.text[done] == "lie" || words_.text[done] == "sit")) {
           there.where = Where::kUnder;
           phrase.at.push_back(there);
           i = done + 1;

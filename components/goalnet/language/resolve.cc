@@ -253,8 +253,10 @@ std::vector<Symbol> Resolver::options(const NounPhrase& phrase, Sort sort, const
 
 std::vector<Symbol> Resolver::chosen(const NounPhrase& phrase, std::vector<Symbol> options) {
   if (phrase.ordinal == 1 && phrase.count > 1) {  // "the first two burners"
-    std::sort(options.begin(), options.end(), [&](Symbol a, Symbol b) { return symbols_.name(a) < symbols_.name(b); });
-    if (options.size() > static_cast<std::size_t>(phrase.count)) options.resize(static_cast<std::size_t>(phrase.count), kNone);
+    std::sort(options.begin(), options.end(),
+              [&](Symbol a, Symbol b) { return symbols_.name(a) < symbols_.name(b); });
+    if (options.size() > static_cast<std::size_t>(phrase.count))
+      options.resize(static_cast<std::size_t>(phrase.count), kNone);
     return options;
   }
   if (phrase.ordinal > 0) {

@@ -4,14 +4,15 @@
 #include <memory>
 #include <string>
 
-#include "components/goalnet/language/reading_confidence.h"
 #include "components/goalnet/language/frames.h"
+#include "components/goalnet/language/reading_confidence.h"
 
 namespace goalnet::inference {
 
 class RobotLanguage {
  public:
-  // Reads household.json, english.json, words.json and confidence.json. Fails with kInvalidRequest: which file, what is wrong.
+  // Reads household.json, english.json, words.json and confidence.json. Fails with kInvalidRequest: which
+  // file, what is wrong.
   static Expected<std::unique_ptr<RobotLanguage>> load(Symbols& symbols);
 
   struct Reading {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <map>
 
 #include "components/goalnet/goal_model.h"
 #include "components/goalnet/tokenizer.h"
@@ -48,6 +49,51 @@ TEST_F(OddWorlds, TextThatIsNoText) {
   EXPECT_EQ(ask(std::string(100000, 'x'), state).error().outcome, Outcome::kInvalidRequest);
   EXPECT_EQ(ask("grab the mug \xff", state).error().outcome, Outcome::kInvalidRequest);
   EXPECT_EQ(ask("возьми кружку", state).error().outcome, Outcome::kNotUnderstood);
+}
+
+TEST_F(OddWorlds, ControlCharactersAreRefused) {
+  EXPECT_EQ(ask(std::string("grab\0the mug", 12), world({"Mug_1"}, {"(IsGraspable Mug_1)"})).error().outcome,
+            Outcome::kInvalidRequest);
+}
+
+TEST_F(OddWorlds, AsMuchGarbageAsIsReadTakesBoundedTime) {
+  std::string text;  // 250 words that are nearly known
+  for (int i = 0; i < 250; ++i)
+    text += "putx" + std::string(1, static_cast<char>('a' + i % 26)) + "thesinkk ";
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(ask(text, world({"Mug_1", "Sink"}, {"(IsGraspable Mug_1)"})));
+  text.clear();
+  for (int i = 0; i < 80; ++i) text += "and the mug ";
+  (void)ask("put " + text + "in the sink", world({"Mug_1", "Sink"}, {"(IsGraspable Mug_1)"}));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+}
+
+TEST_F(OddWorlds, PicturesInTheTextDoNotMatter) {
+  const auto goal = ask("grab the mug \U0001F642!", world({"Robot", "Mug_1"}, {"(IsGraspable Mug_1)"}));
+  ASSERT_TRUE(goal) << goal.error().message;
+}
+
+// Of two equal things the nearest is taken; without distances the first by name.
+TEST_F(OddWorlds, TheNearestOfEqualThings) {
+  const std::vector<WorldState> states = {
+      world({"Robot", "Plate_1", "Plate_2"}, {"(IsGraspable Plate_1)", "(IsGraspable Plate_2)"})};
+  const std::map<std::string, double> distances = {{"Plate_1", 2.0}, {"Plate_2", 0.5}};
+  const auto taken = [&](const char* sentence, const std::map<std::string, double>* far) {
+    const auto goal = model->infer(
+        {.sentence = sentence, .grounding = nullptr, .states = states, .goals = {}, .distances = far});
+    return goal ? goal->positive.front().object : goal.error().message;
+  };
+  EXPECT_EQ(taken("grab a plate", nullptr), "Plate_1");
+  EXPECT_EQ(taken("grab a plate", &distances), "Plate_2");
+  EXPECT_EQ(taken("grab the farthest plate", &distances), "Plate_1");
+  EXPECT_EQ(taken("grab plate 1", &distances), "Plate_1");
+}
+
+TEST_F(OddWorlds, RefusalsNameTheNearestThingKnown) {
+  const auto state = world({"Robot", "Mug_1", "Sink"}, {"(IsGraspable Mug_1)"});
+  EXPECT_NE(ask("bring me the kettlle drum", state).error().message.find("kettle"), std::string::npos);
+  EXPECT_NE(ask("bring me the bowl", state).error().message.find("Mug_1"), std::string::npos);
+  EXPECT_NE(ask("pick up the sink", state).error().message.find("cannot be picked up"), std::string::npos);
 }
 
 TEST_F(OddWorlds, UnknownClassesCanBeNamed) {

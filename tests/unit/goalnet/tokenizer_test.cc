@@ -22,6 +22,16 @@ TEST(Tokenizer, EmptyTextHasNoWords) {
 
 TEST(Tokenizer, TypographicQuotesCountAsAscii) { EXPECT_EQ(*tokenize("cd\u2019s"), Words{"cd"}); }
 
+TEST(Tokenizer, ShortFormsAndSigns) {
+  EXPECT_EQ(*tokenize("it's dark, let's go"), (Words{"it", "is", "dark", ",", "let", "us", "go"}));
+  EXPECT_EQ(*tokenize("don't: cups & plates"), (Words{"dont", ",", "cups", "and", "plates"}));
+}
+
+TEST(Tokenizer, PicturesSeparateAndAccentsFall) {
+  EXPECT_EQ(*tokenize("mug \u2192 sink \U0001F642"), (Words{"mug", "sink"}));
+  EXPECT_EQ(*tokenize("caf\u00e9 \u00c9t\u00e9"), (Words{"cafe", "ete"}));
+}
+
 TEST(Tokenizer, OtherScriptsMakeUnknownWords) {
   EXPECT_EQ(*tokenize("открой fridge"), (Words{"открой", "fridge"}));
 }
