@@ -91,7 +91,9 @@ TEST_F(OddWorlds, TheNearestOfEqualThings) {
 
 TEST_F(OddWorlds, RefusalsNameTheNearestThingKnown) {
   const auto state = world({"Robot", "Mug_1", "Sink"}, {"(IsGraspable Mug_1)"});
-  EXPECT_NE(ask("bring me the kettlle drum", state).error().message.find("kettle"), std::string::npos);
+  const std::string unknown = ask("bring me the spoonzzz", state).error().message;
+  EXPECT_NE(unknown.find("spoonzzz"), std::string::npos) << unknown;
+  EXPECT_NE(unknown.find("\"spoon\""), std::string::npos) << unknown;
   EXPECT_NE(ask("bring me the bowl", state).error().message.find("Mug_1"), std::string::npos);
   EXPECT_NE(ask("pick up the sink", state).error().message.find("cannot be picked up"), std::string::npos);
 }
