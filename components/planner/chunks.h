@@ -1,5 +1,5 @@
-// A growing array in pieces of equal size: growing it never copies what is there, so that it never takes long and never
-// needs twice the memory.
+// A growing array in pieces of equal size: growing it never copies what is there, so that it never takes long
+// and never needs twice the memory.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +57,8 @@ class Rows {
     if (size_ >> shift_ == pieces_.size()) {
       pieces_.push_back(std::make_unique_for_overwrite<std::uint64_t[]>(words_ << shift_));
     }
-    std::copy_n(row, words_, pieces_[size_ >> shift_].get() + (size_ & ((std::size_t{1} << shift_) - 1)) * words_);
+    std::copy_n(row, words_,
+                pieces_[size_ >> shift_].get() + (size_ & ((std::size_t{1} << shift_) - 1)) * words_);
     ++size_;
   }
   std::size_t bytes() const { return pieces_.size() * (words_ << shift_) * sizeof(std::uint64_t); }

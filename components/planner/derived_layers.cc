@@ -22,7 +22,8 @@ std::optional<PredicateId> assign_layers(Domain& domain) {
   const auto count = static_cast<std::size_t>(domain.predicates.size());
   domain.layer.assign(count, -1);
   std::vector<Use> uses;
-  for (const DerivedPredicate& definition : domain.derived) collect(definition.predicate, definition.body, false, &uses);
+  for (const DerivedPredicate& definition : domain.derived)
+    collect(definition.predicate, definition.body, false, &uses);
   const auto at = [](PredicateId predicate) { return static_cast<std::size_t>(predicate); };
   // What each derived predicate leads to, directly or through others.
   std::vector<std::vector<std::uint8_t>> reaches(count);

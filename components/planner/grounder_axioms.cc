@@ -5,7 +5,8 @@
 
 namespace goalnet::planner {
 
-// The axioms of a derived atom; what they read is needed in the same sense as the atom: to hold, or not to hold.
+// The axioms of a derived atom; what they read is needed in the same sense as the atom: to hold, or not to
+// hold.
 void Grounder::define(Literal literal) {
   const auto atom = static_cast<std::size_t>(literal >> 1);
   if (defined_.size() <= atom) {
@@ -51,7 +52,8 @@ void Grounder::define(Literal literal) {
 // Sorts the axioms by layer and notes which of them read what of their own layer.
 void Grounder::finish_axioms() {
   GroundTask& task = *task_;
-  std::stable_sort(task.axioms.begin(), task.axioms.end(), [](const GroundAxiom& a, const GroundAxiom& b) { return a.layer < b.layer; });
+  std::stable_sort(task.axioms.begin(), task.axioms.end(),
+                   [](const GroundAxiom& a, const GroundAxiom& b) { return a.layer < b.layer; });
   task.derived.assign(task.initial.size(), 0);
   task.triggers.assign(task.initial.size(), {});
   for (std::size_t atom = 0; atom < task.derived.size(); ++atom) {
@@ -66,10 +68,12 @@ void Grounder::finish_axioms() {
   for (std::size_t i = 0; i < task.axioms.size(); ++i) {
     const auto note = [&](const auto& self, ConditionId condition) -> void {
       if (condition < 0) {
-        for (const ConditionId child : task.children(task.junctions[static_cast<std::size_t>(~condition)])) self(self, child);
+        for (const ConditionId child : task.children(task.junctions[static_cast<std::size_t>(~condition)]))
+          self(self, child);
       } else if (layer_of(condition) == task.axioms[i].layer) {
         auto& readers = task.triggers[static_cast<std::size_t>(condition >> 1)];
-        if (readers.empty() || readers.back() != static_cast<std::int32_t>(i)) readers.push_back(static_cast<std::int32_t>(i));
+        if (readers.empty() || readers.back() != static_cast<std::int32_t>(i))
+          readers.push_back(static_cast<std::int32_t>(i));
       }
     };
     for (const ConditionId condition : task.conditions_of(task.axioms[i])) note(note, condition);

@@ -8,11 +8,14 @@ namespace goalnet::planner {
 
 Literal Grounder::literal_for(const AtomPattern& pattern, bool negative) {
   std::array<ObjectId, 16> ids{};
-  for (std::size_t i = 0; i < pattern.arguments.size(); ++i) ids[i] = pattern.arguments[i].resolve(binding_.data());
+  for (std::size_t i = 0; i < pattern.arguments.size(); ++i)
+    ids[i] = pattern.arguments[i].resolve(binding_.data());
   bool is_new = false;
-  const std::int32_t atom = task_->atoms.add(pattern.predicate, ids.data(), pattern.arguments.size(), &is_new);
+  const std::int32_t atom =
+      task_->atoms.add(pattern.predicate, ids.data(), pattern.arguments.size(), &is_new);
   if (is_new) {
-    const bool holds = index_->problem().initial.contains(pattern.predicate, ids.data(), pattern.arguments.size());
+    const bool holds =
+        index_->problem().initial.contains(pattern.predicate, ids.data(), pattern.arguments.size());
     task_->initial.push_back(holds ? 1 : 0);
     task_->changes.push_back(0);
     task_->needed.push_back(0);
@@ -21,9 +24,11 @@ Literal Grounder::literal_for(const AtomPattern& pattern, bool negative) {
   return 2 * atom + (negative ? 1 : 0);
 }
 
-// Appends the fluent and complex parts; false if one of them cannot hold. The static part is checked elsewhere.
+// Appends the fluent and complex parts; false if one of them cannot hold. The static part is checked
+// elsewhere.
 bool Grounder::instantiate(const Condition& condition, std::vector<ConditionId>* result) {
-  for (const LiteralPattern& literal : condition.fluent) result->push_back(literal_for(literal.atom, literal.negative));
+  for (const LiteralPattern& literal : condition.fluent)
+    result->push_back(literal_for(literal.atom, literal.negative));
   for (const Formula& formula : condition.complex) {
     const Value value = instantiate(formula);
     if (value.kind == Value::Kind::kFalse) return false;
@@ -31,7 +36,8 @@ bool Grounder::instantiate(const Condition& condition, std::vector<ConditionId>*
     // A conjunction dissolves into the list.
     if (value.condition < 0 && task_->junctions[static_cast<std::size_t>(~value.condition)].conjunction) {
       const Junction junction = task_->junctions[static_cast<std::size_t>(~value.condition)];
-      for (std::uint32_t i = junction.begin; i < junction.end; ++i) result->push_back(task_->junction_children[i]);
+      for (std::uint32_t i = junction.begin; i < junction.end; ++i)
+        result->push_back(task_->junction_children[i]);
     } else {
       result->push_back(value.condition);
     }
@@ -60,8 +66,10 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
     return constant(false);
   }
   switch (formula.kind) {
-    case Formula::Kind::kTrue: return constant(true);
-    case Formula::Kind::kFalse: return constant(false);
+    case Formula::Kind::kTrue:
+      return constant(true);
+    case Formula::Kind::kFalse:
+      return constant(false);
     case Formula::Kind::kEqual:
       return constant(formula.atom.arguments[0].resolve(binding_.data()) ==
                       formula.atom.arguments[1].resolve(binding_.data()));

@@ -29,8 +29,8 @@ std::int64_t LandmarkSearch::bytes() const {
 }
 
 // Evaluates a state and queues its successors.
-void LandmarkSearch::open(const GroundTask& task, RelaxedPlanner& heuristic, Landmarks& landmarks, std::int32_t id,
-                          Budget& budget, Statistics& statistics) {
+void LandmarkSearch::open(const GroundTask& task, RelaxedPlanner& heuristic, Landmarks& landmarks,
+                          std::int32_t id, Budget& budget, Statistics& statistics) {
   ++statistics.evaluated;
   const std::int64_t by_plan = heuristic.evaluate(states_.state(id), budget);
   if (by_plan >= RelaxedPlanner::kDeadEnd || budget.stopped()) return;
@@ -58,8 +58,9 @@ void LandmarkSearch::open(const GroundTask& task, RelaxedPlanner& heuristic, Lan
 }
 
 LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPlanner& heuristic,
-                                              Landmarks& landmarks, const Word* initial, std::int64_t upper_bound,
-                                              std::int64_t most_states, std::int64_t most_bytes, Budget& budget,
+                                              Landmarks& landmarks, const Word* initial,
+                                              std::int64_t upper_bound, std::int64_t most_states,
+                                              std::int64_t most_bytes, Budget& budget,
                                               Statistics& statistics) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   states_.restart(words, false);
@@ -76,7 +77,8 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
   serial_ = 0;
   best_by_plan_ = best_by_landmarks_ = INT64_MAX;
   plan_.clear();
-  const std::int64_t last = most_states < INT64_MAX - statistics.evaluated ? statistics.evaluated + most_states : INT64_MAX;
+  const std::int64_t last =
+      most_states < INT64_MAX - statistics.evaluated ? statistics.evaluated + most_states : INT64_MAX;
   bool is_new = false;
   states_.add(initial, initial, &is_new);
   nodes_.push_back({});

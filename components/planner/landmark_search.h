@@ -1,6 +1,7 @@
-// The thorough way to some plan: lazy greedy best-first search that alternates between two estimates, the relaxed plan and
-// the number of landmarks still missing, each with a queue of its own for preferred actions (LAMA; Richter and Westphal,
-// JAIR 2010). Where relaxed plans mislead, as in tall towers, the order of landmarks leads on.
+// The thorough way to some plan: lazy greedy best-first search that alternates between two estimates, the
+// relaxed plan and the number of landmarks still missing, each with a queue of its own for preferred actions
+// (LAMA; Richter and Westphal, JAIR 2010). Where relaxed plans mislead, as in tall towers, the order of
+// landmarks leads on.
 #pragma once
 
 #include <array>

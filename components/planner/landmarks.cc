@@ -20,8 +20,8 @@ void put(Word* words, std::int32_t i) {
 
 }  // namespace
 
-// sets_ of all propositions: the landmarks of an operator are those of what it needs; those of a proposition are what all
-// its producers share. Sets only shrink, so this ends.
+// sets_ of all propositions: the landmarks of an operator are those of what it needs; those of a proposition
+// are what all its producers share. Sets only shrink, so this ends.
 void Landmarks::collect(const Word* initial, Budget& budget) {
   const auto propositions = static_cast<std::size_t>(relaxed_->proposition_count());
   const auto& operators = relaxed_->operators();
@@ -31,7 +31,8 @@ void Landmarks::collect(const Word* initial, Budget& budget) {
   std::vector<std::uint8_t> queued(operators.size(), 0);
   std::deque<std::int32_t> queue;
   for (std::size_t i = 0; i < operators.size(); ++i) {
-    waiting_for[i] = static_cast<std::int32_t>(operators[i].precondition_end - operators[i].precondition_begin);
+    waiting_for[i] =
+        static_cast<std::int32_t>(operators[i].precondition_end - operators[i].precondition_begin);
   }
   const auto wake = [&](Proposition p, bool first) {
     for (const std::int32_t user : relaxed_->users(p)) {
@@ -80,7 +81,8 @@ void Landmarks::collect(const Word* initial, Budget& budget) {
         continue;
       }
       merged.clear();
-      std::set_intersection(sets_[i].begin(), sets_[i].end(), needs.begin(), needs.end(), std::back_inserter(merged));
+      std::set_intersection(sets_[i].begin(), sets_[i].end(), needs.begin(), needs.end(),
+                            std::back_inserter(merged));
       const auto place = std::lower_bound(merged.begin(), merged.end(), p);
       if (place == merged.end() || *place != p) merged.insert(place, p);
       if (merged.size() == sets_[i].size()) continue;
@@ -134,7 +136,8 @@ void Landmarks::order_by_need(Budget& budget) {
       std::sort(needs.begin(), needs.end());
       if (any) {
         std::vector<std::int32_t> both;
-        std::set_intersection(always.begin(), always.end(), needs.begin(), needs.end(), std::back_inserter(both));
+        std::set_intersection(always.begin(), always.end(), needs.begin(), needs.end(),
+                              std::back_inserter(both));
         always.swap(both);
       } else {
         always = needs;
@@ -143,7 +146,8 @@ void Landmarks::order_by_need(Budget& budget) {
       if (!can_be_first) continue;
       std::vector<Literal> does;
       if (op.action >= 0) {
-        for (const GroundEffect& effect : task_->effects_of(task_->actions[static_cast<std::size_t>(op.action)])) {
+        for (const GroundEffect& effect :
+             task_->effects_of(task_->actions[static_cast<std::size_t>(op.action)])) {
           if (!effect.conditional() && effect.literal != conditions_[i]) does.push_back(effect.literal);
         }
       }
@@ -153,10 +157,12 @@ void Landmarks::order_by_need(Budget& budget) {
         effects = does;
       } else {
         std::vector<std::int32_t> both;
-        std::set_intersection(shared.begin(), shared.end(), needs.begin(), needs.end(), std::back_inserter(both));
+        std::set_intersection(shared.begin(), shared.end(), needs.begin(), needs.end(),
+                              std::back_inserter(both));
         shared.swap(both);
         std::vector<Literal> common;
-        std::set_intersection(effects.begin(), effects.end(), does.begin(), does.end(), std::back_inserter(common));
+        std::set_intersection(effects.begin(), effects.end(), does.begin(), does.end(),
+                              std::back_inserter(common));
         effects.swap(common);
       }
       first = false;
@@ -174,7 +180,8 @@ void Landmarks::order_by_need(Budget& budget) {
 
 // Whether reaching `first` later than `second` means that `second` has to be given up in between.
 bool Landmarks::interferes(std::int32_t first, std::int32_t second, const PairReachability& pairs) const {
-  const ConditionId a = conditions_[static_cast<std::size_t>(first)], b = conditions_[static_cast<std::size_t>(second)];
+  const ConditionId a = conditions_[static_cast<std::size_t>(first)],
+                    b = conditions_[static_cast<std::size_t>(second)];
   if (a < 0 || b < 0) return false;
   if (pairs.exclusive(a, b)) return true;
   for (const Literal effect : comes_with_[static_cast<std::size_t>(first)]) {
@@ -192,7 +199,8 @@ void Landmarks::order_reasonably(const PairReachability& pairs, Budget& budget) 
     const auto i = static_cast<std::size_t>(b);
     if (is_goal_[i] != 0) {  // b holds in the end, so what would destroy it comes before it
       for (std::int32_t a = 0; a < count() && !budget.poll(); ++a) {
-        if (a != b && known_[static_cast<std::size_t>(relaxed_->of(conditions_[static_cast<std::size_t>(a)]))] != 2 &&
+        if (a != b &&
+            known_[static_cast<std::size_t>(relaxed_->of(conditions_[static_cast<std::size_t>(a)]))] != 2 &&
             interferes(a, b, pairs)) {
           add_order(a, b, true);
         }
@@ -209,13 +217,15 @@ void Landmarks::order_reasonably(const PairReachability& pairs, Budget& budget) 
   }
 }
 
-void Landmarks::find(const RelaxedTask& relaxed, const PairReachability& pairs, const Word* initial, Budget& budget) {
+void Landmarks::find(const RelaxedTask& relaxed, const PairReachability& pairs, const Word* initial,
+                     Budget& budget) {
   relaxed_ = &relaxed;
   task_ = &relaxed.task();
   collect(initial, budget);
   conditions_.clear();
   const auto add = [&](ConditionId condition) {
-    if (std::find(conditions_.begin(), conditions_.end(), condition) == conditions_.end()) conditions_.push_back(condition);
+    if (std::find(conditions_.begin(), conditions_.end(), condition) == conditions_.end())
+      conditions_.push_back(condition);
   };
   for (const ConditionId goal : task_->goal) {
     if (conditions_.size() < kMostLandmarks) conditions_.push_back(goal);
@@ -242,7 +252,8 @@ void Landmarks::find(const RelaxedTask& relaxed, const PairReachability& pairs, 
   latest_first_.resize(conditions_.size());
   for (std::int32_t i = 0; i < count(); ++i) {
     latest_first_[static_cast<std::size_t>(i)] = i;
-    for (std::size_t w = 0; w < words_; ++w) later[static_cast<std::size_t>(i)] += std::popcount(row(after_all_, i)[w]);
+    for (std::size_t w = 0; w < words_; ++w)
+      later[static_cast<std::size_t>(i)] += std::popcount(row(after_all_, i)[w]);
   }
   std::stable_sort(latest_first_.begin(), latest_first_.end(), [&](std::int32_t a, std::int32_t b) {
     return later[static_cast<std::size_t>(a)] < later[static_cast<std::size_t>(b)];
@@ -279,7 +290,8 @@ std::int32_t Landmarks::missing(const Word* state, const Word* reached) {
   std::copy_n(reached, words_, settled_.begin());
   for (const std::int32_t landmark : ordered_) {
     if (in(reached, landmark) && too_early(landmark)) {
-      settled_[static_cast<std::size_t>(landmark) >> 6] &= ~(Word{1} << (static_cast<std::size_t>(landmark) & 63u));
+      settled_[static_cast<std::size_t>(landmark) >> 6] &=
+          ~(Word{1} << (static_cast<std::size_t>(landmark) & 63u));
     }
   }
   std::int32_t result = 0;
@@ -291,9 +303,8 @@ std::int32_t Landmarks::missing(const Word* state, const Word* reached) {
       if (condition_holds(*task_, state, conditions_[i])) return false;
       return is_goal_[i] != 0 ||
              std::any_of(next.begin(), next.end(), [&](std::int32_t b) { return !in(reached, b); }) ||
-             std::any_of(always.begin(), always.end(), [&](std::int32_t b) {
-               return open_[static_cast<std::size_t>(b)] != 0;
-             });
+             std::any_of(always.begin(), always.end(),
+                         [&](std::int32_t b) { return open_[static_cast<std::size_t>(b)] != 0; });
     };
     open_[i] = !in(settled_.data(), landmark) || needed_again() ? 1 : 0;
     result += open_[i];

@@ -22,7 +22,8 @@ bool NoveltySearch::is_new(const GroundTask& task, const Word* state, std::int32
   return fresh != 0;
 }
 
-std::int32_t NoveltySearch::push(const GroundTask& task, Landmarks& landmarks, std::int32_t id, bool committed) {
+std::int32_t NoveltySearch::push(const GroundTask& task, Landmarks& landmarks, std::int32_t id,
+                                 bool committed) {
   const std::int32_t missing = landmarks.missing(states_.state(id), reached(id));
   heap_.push({is_new(task, states_.state(id), missing) ? 0 : 1, committed ? 0 : missing, id});
   return missing;
@@ -33,8 +34,9 @@ std::int64_t NoveltySearch::bytes() const {
 }
 
 NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& landmarks, const Word* initial,
-                                            std::int64_t upper_bound, std::int64_t most_states, std::int64_t most_bytes,
-                                            bool committed, Budget& budget, Statistics& statistics) {
+                                            std::int64_t upper_bound, std::int64_t most_states,
+                                            std::int64_t most_bytes, bool committed, Budget& budget,
+                                            Statistics& statistics) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   successors_.restart(task);
   states_.restart(words, false);

@@ -1,10 +1,11 @@
-// Best-first search for something new (Lipovetzky and Geffner, AAAI 2017, best-first width search): states with a literal
-// never seen before among states with as many landmarks missing come first, those with fewer missing before others. It
-// computes no relaxed plans, so that it makes many more states than the other searches, and plateaus do not hold it up for
-// long: per number of missing landmarks there are at most as many new states as literals.
+// Best-first search for something new (Lipovetzky and Geffner, AAAI 2017, best-first width search): states
+// with a literal never seen before among states with as many landmarks missing come first, those with fewer
+// missing before others. It computes no relaxed plans, so that it makes many more states than the other
+// searches, and plateaus do not hold it up for long: per number of missing landmarks there are at most as
+// many new states as literals.
 //
-// Committed, it forgets all other states whenever fewer landmarks are missing than ever before: the way to large plans, but
-// it may end where nothing leads on.
+// Committed, it forgets all other states whenever fewer landmarks are missing than ever before: the way to
+// large plans, but it may end where nothing leads on.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +26,11 @@ class NoveltySearch {
   using Result = GreedySearch::Result;
 
   // `most_states`: generated before giving up with kLimit; `most_bytes` likewise with kMemory (0 = no limit).
-  // Only plans cheaper than `upper_bound` count. A committed search answers kLimit where it ends without a plan.
+  // Only plans cheaper than `upper_bound` count. A committed search answers kLimit where it ends without a
+  // plan.
   Result search(const GroundTask& task, Landmarks& landmarks, const Word* initial, std::int64_t upper_bound,
-                std::int64_t most_states, std::int64_t most_bytes, bool committed, Budget& budget, Statistics& statistics);
+                std::int64_t most_states, std::int64_t most_bytes, bool committed, Budget& budget,
+                Statistics& statistics);
   const std::vector<std::int32_t>& plan() const { return plan_; }
 
  private:

@@ -5,7 +5,7 @@
 
 namespace goalnet::planner {
 namespace {
-constexpr std::int32_t kMostLiterals = 6000;      // 4.5 MB of rows
+constexpr std::int32_t kMostLiterals = 6000;  // 4.5 MB of rows
 constexpr std::size_t kMostOperators = 150'000;
 }  // namespace
 
@@ -75,8 +75,8 @@ void PairReachability::reach(std::int32_t p, const Word* mask) {
 // True if the operator was looked at: something it needs has changed since the last time.
 bool PairReachability::apply(Operator& op) {
   const bool stale = op.judged == 0 || std::any_of(op.needs.begin(), op.needs.end(), [&](std::int32_t need) {
-    return changed_[static_cast<std::size_t>(need)] >= op.judged;
-  });
+                       return changed_[static_cast<std::size_t>(need)] >= op.judged;
+                     });
   if (!stale && !op.needs.empty()) return false;
   op.judged = ++now_;
   if (op.needs.empty()) {
@@ -153,7 +153,9 @@ bool PairReachability::impossible(std::span<const ConditionId> conditions) const
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       if (conditions[i] < 0 || conditions[j] < 0) continue;
-      if (i != j ? exclusive(conditions[i], conditions[j]) : known_ && exclusive(conditions[i], conditions[i])) return true;
+      if (i != j ? exclusive(conditions[i], conditions[j])
+                 : known_ && exclusive(conditions[i], conditions[i]))
+        return true;
     }
   }
   return false;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::int64_t kFirstWork = 3'000'000;  // of the first turn, in operators looked at by relaxed plans
 constexpr std::int64_t kFewestStates = 50, kMostStates = 1500;
-constexpr std::int64_t kNewPerState = 40;       // the novelty search makes this many states while others evaluate one
+constexpr std::int64_t kNewPerState =
+    40;  // the novelty search makes this many states while others evaluate one
 
 std::int64_t cost_of(const GroundTask& task, const std::vector<std::int32_t>& plan) {
   std::int64_t cost = 0;
@@ -58,23 +59,26 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
       Result result = Result::kLimit;
       switch (method) {
         case 0:
-          result = greedy.search(task, heuristic, initial, bound, states, options.bytes, budget, statistics, Style::kLazy);
+          result = greedy.search(task, heuristic, initial, bound, states, options.bytes, budget, statistics,
+                                 Style::kLazy);
           if (result == Result::kFound) keep(greedy.plan(), "greedy search");
           break;
         case 1:
           for (const bool committed : {true, false}) {
-            result = novelty.search(task, landmarks, initial, bound, kNewPerState * states, options.bytes, committed, budget,
-                                    statistics);
+            result = novelty.search(task, landmarks, initial, bound, kNewPerState * states, options.bytes,
+                                    committed, budget, statistics);
             if (result == Result::kFound) break;
           }
           if (result == Result::kFound) keep(novelty.plan(), "novelty search");
           break;
         case 2:
-          result = landmark_search.search(task, heuristic, landmarks, initial, bound, states, options.bytes, budget, statistics);
+          result = landmark_search.search(task, heuristic, landmarks, initial, bound, states, options.bytes,
+                                          budget, statistics);
           if (result == Result::kFound) keep(landmark_search.plan(), "landmark search");
           break;
         default:
-          result = greedy.search(task, heuristic, initial, bound, states, options.bytes, budget, statistics, Style::kEager);
+          result = greedy.search(task, heuristic, initial, bound, states, options.bytes, budget, statistics,
+                                 Style::kEager);
           if (result == Result::kFound) keep(greedy.plan(), "eager greedy search");
           break;
       }
@@ -90,7 +94,8 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
   return budget.stopped() ? Result::kStopped : Result::kLimit;
 }
 
-void shorten_plan(const GroundTask& task, const Word* initial, Budget& budget, std::vector<std::int32_t>* plan) {
+void shorten_plan(const GroundTask& task, const Word* initial, Budget& budget,
+                  std::vector<std::int32_t>* plan) {
   constexpr std::size_t kLongest = 2000;  // the effort is the square of this
   if (plan->size() > kLongest) return;
   std::vector<Word> state(initial, initial + std::max<std::size_t>(task.words(), 1)), now, next(state.size());

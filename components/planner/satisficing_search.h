@@ -1,5 +1,6 @@
-// Some plan, quickly: searches of different temper take turns, each turn with four times the effort of the one before,
-// because they fail on different problems. Effort is counted in states, not seconds, so that every machine finds the same.
+// Some plan, quickly: searches of different temper take turns, each turn with four times the effort of the
+// one before, because they fail on different problems. Effort is counted in states, not seconds, so that
+// every machine finds the same.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,8 @@ struct SatisficingOptions {
   std::int64_t upper_bound = INT64_MAX / 4;  // only plans cheaper than this count
   std::int64_t bytes = 0;                    // of one search's tables; 0 = no limit
   int turns = 1 << 20;
-  bool best_of_turn = false;                 // do not stop at the first plan, but let the others of its turn try for a cheaper one
+  bool best_of_turn =
+      false;  // do not stop at the first plan, but let the others of its turn try for a cheaper one
 };
 
 class SatisficingSearch {
@@ -37,7 +39,9 @@ class SatisficingSearch {
   std::string method_;
 };
 
-// Leaves out actions that the plan does not need: each is tried, together with what no longer applies without it. Greedy.
-void shorten_plan(const GroundTask& task, const Word* initial, Budget& budget, std::vector<std::int32_t>* plan);
+// Leaves out actions that the plan does not need: each is tried, together with what no longer applies without
+// it. Greedy.
+void shorten_plan(const GroundTask& task, const Word* initial, Budget& budget,
+                  std::vector<std::int32_t>* plan);
 
 }  // namespace goalnet::planner

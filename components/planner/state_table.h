@@ -1,6 +1,7 @@
-// Every state that a search has met, stored once under a dense number. States are compared by a key that may be a
-// symmetric variant of the state itself. Nothing large is ever copied or hashed again at once: states lie in pieces, and the
-// hash table is cut into shards that grow one by one, so that a search can be stopped at any time.
+// Every state that a search has met, stored once under a dense number. States are compared by a key that may
+// be a symmetric variant of the state itself. Nothing large is ever copied or hashed again at once: states
+// lie in pieces, and the hash table is cut into shards that grow one by one, so that a search can be stopped
+// at any time.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +38,8 @@ class StateTable {
     const std::size_t h = hash(key);
     Shard& shard = shards_[h & (kShards - 1)];
     if (2 * (shard.used + 1) > shard.slots.size()) grow(shard);
-    std::int32_t& slot = find(shard, h, [&](std::int32_t id) { return std::equal(key, key + words_, key_of(id)); });
+    std::int32_t& slot =
+        find(shard, h, [&](std::int32_t id) { return std::equal(key, key + words_, key_of(id)); });
     *is_new = slot < 0;
     if (slot >= 0) return slot;
     ++shard.used;
@@ -68,9 +70,12 @@ class StateTable {
     std::size_t used = 0;
   };
   static constexpr std::size_t kShards = 64, kShardBits = 6;
-  static constexpr std::size_t kKeptSlots = 1u << 10;  // clearing more would cost a quick query more than it takes
+  static constexpr std::size_t kKeptSlots =
+      1u << 10;  // clearing more would cost a quick query more than it takes
 
-  const Word* key_of(std::int32_t id) const { return (separate_keys_ ? keys_ : states_)[static_cast<std::size_t>(id)]; }
+  const Word* key_of(std::int32_t id) const {
+    return (separate_keys_ ? keys_ : states_)[static_cast<std::size_t>(id)];
+  }
   void append(const Word* state, const Word* key) {
     states_.push_back(state);
     if (separate_keys_) keys_.push_back(key);

@@ -17,7 +17,9 @@ void Successors::restart(const GroundTask& task) {
   begin_.assign(literals + 1, 0);
   for (std::size_t a = 0; a < task.actions.size(); ++a) {
     for (const ConditionId c : task.preconditions(task.actions[a])) {
-      if (c >= 0 && (watch[a] < 0 || uses[static_cast<std::size_t>(c)] < uses[static_cast<std::size_t>(watch[a])])) watch[a] = c;
+      if (c >= 0 &&
+          (watch[a] < 0 || uses[static_cast<std::size_t>(c)] < uses[static_cast<std::size_t>(watch[a])]))
+        watch[a] = c;
     }
     if (watch[a] < 0) {
       always_.push_back(static_cast<std::int32_t>(a));
@@ -41,7 +43,8 @@ void Successors::restart(const GroundTask& task) {
 void Successors::applicable(const Word* state, std::vector<std::int32_t>* actions) const {
   actions->clear();
   const auto look = [&](std::int32_t action) {
-    if (action_applies(*task_, state, task_->actions[static_cast<std::size_t>(action)])) actions->push_back(action);
+    if (action_applies(*task_, state, task_->actions[static_cast<std::size_t>(action)]))
+      actions->push_back(action);
   };
   for (const std::int32_t action : always_) look(action);
   for (const Literal literal : watched_) {

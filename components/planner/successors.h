@@ -1,5 +1,5 @@
-// The actions that apply in a state, without looking at all actions: each waits under one of its preconditions, the one that
-// the fewest actions share, and is only looked at where that holds.
+// The actions that apply in a state, without looking at all actions: each waits under one of its
+// preconditions, the one that the fewest actions share, and is only looked at where that holds.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ class Successors {
 
  private:
   const GroundTask* task_ = nullptr;
-  std::vector<std::int32_t> always_;          // actions without a literal among their preconditions
-  std::vector<std::uint32_t> begin_;          // by literal, in waiting_
+  std::vector<std::int32_t> always_;  // actions without a literal among their preconditions
+  std::vector<std::uint32_t> begin_;  // by literal, in waiting_
   std::vector<std::int32_t> waiting_;
-  std::vector<Literal> watched_;              // literals under which some action waits
+  std::vector<Literal> watched_;  // literals under which some action waits
 };
 
 }  // namespace goalnet::planner

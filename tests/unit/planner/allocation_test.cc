@@ -49,23 +49,31 @@ long of_the_answer(Planner& planner, const Problem& problem) {
 TEST(Allocations, RepeatedQuestionsHardlyAllocate) {
   const auto domain = load_domain(std::string(GOALNET_SOURCE_DIR) + "/config/domains/benchmark.pddl");
   ASSERT_TRUE(domain);
-  WorldState world{{"Robot", "Mug_1", "Mug_2", "Kettle", "Sink", "SinkKnob", "Counter_1", "Microwave", "MicrowaveButton"},
-                   FactSet({{"IsGraspable", "Mug_1", ""}, {"IsGraspable", "Mug_2", ""}, {"IsGraspable", "Kettle", ""},
-                            {"On", "Mug_1", "Counter_1"}, {"Near", "Robot", "Mug_1"}})};
+  WorldState world{
+      {"Robot", "Mug_1", "Mug_2", "Kettle", "Sink", "SinkKnob", "Counter_1", "Microwave", "MicrowaveButton"},
+      FactSet({{"IsGraspable", "Mug_1", ""},
+               {"IsGraspable", "Mug_2", ""},
+               {"IsGraspable", "Kettle", ""},
+               {"On", "Mug_1", "Counter_1"},
+               {"Near", "Robot", "Mug_1"}})};
   Planner planner(*domain);
   struct Case {
     const char* name;
     Goal goal;
     long besides_the_answer;
   };
-  for (const Case& one : {Case{"nothing to do", {{{"On", "Mug_1", "Counter_1"}}, {}}, 0},
-                          Case{"one action", {{{"Grasping", "Robot", "Mug_1"}}, {}}, 2},
-                          Case{"relaxed plan", {{{"On", "Mug_1", "Sink"}, {"On", "Mug_2", "Sink"}}, {}}, 24},
-                          Case{"search", {{{"state", "Mug_1", "Water"}, {"state", "Mug_2", "Water"}, {"On", "Kettle", "Sink"}}, {}}, 300}}) {
+  for (const Case& one :
+       {Case{"nothing to do", {{{"On", "Mug_1", "Counter_1"}}, {}}, 0},
+        Case{"one action", {{{"Grasping", "Robot", "Mug_1"}}, {}}, 2},
+        Case{"relaxed plan", {{{"On", "Mug_1", "Sink"}, {"On", "Mug_2", "Sink"}}, {}}, 24},
+        Case{"search",
+             {{{"state", "Mug_1", "Water"}, {"state", "Mug_2", "Water"}, {"On", "Kettle", "Sink"}}, {}},
+             300}}) {
     const auto problem = make_problem(*domain, world, one.goal);
     ASSERT_TRUE(problem) << problem.error().message;
     const long used = allocations_of(planner, *problem, 3), answer = of_the_answer(planner, *problem);
-    EXPECT_LE(used - answer, one.besides_the_answer) << one.name << ": " << used << ", of which the answer " << answer;
+    EXPECT_LE(used - answer, one.besides_the_answer)
+        << one.name << ": " << used << ", of which the answer " << answer;
     EXPECT_EQ(allocations_of(planner, *problem, 20), used) << one.name << ": it grows";
     std::cout << one.name << ": " << used << " allocations, of which the answer " << answer << "\n";
   }

@@ -1,5 +1,6 @@
-// Domains of the kind that people bring: STRIPS and ADL after the classical competition domains, in a small and a middle
-// size. All parse and are solved; every plan is replayed by the validator. Effort is limited by counts, not by time.
+// Domains of the kind that people bring: STRIPS and ADL after the classical competition domains, in a small
+// and a middle size. All parse and are solved; every plan is replayed by the validator. Effort is limited by
+// counts, not by time.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -10,7 +11,9 @@
 namespace goalnet::planner {
 namespace {
 
-std::filesystem::path folder() { return std::filesystem::path(GOALNET_SOURCE_DIR) / "tests" / "data" / "pddl"; }
+std::filesystem::path folder() {
+  return std::filesystem::path(GOALNET_SOURCE_DIR) / "tests" / "data" / "pddl";
+}
 
 // Stems of the problems whose name ends so: "depots-small" for "-small".
 std::vector<std::string> problems(const std::string& ending) {
@@ -87,15 +90,16 @@ TEST_P(Middle, IsSolved) {
 
 INSTANTIATE_TEST_SUITE_P(Domains, Middle, testing::ValuesIn(problems("-middle")), test_name);
 
-// One tower of blocks turned into another one, in which every block but the lowest must move: relaxed plans mislead here.
+// One tower of blocks turned into another one, in which every block but the lowest must move: relaxed plans
+// mislead here.
 std::string tower(int blocks, int step) {
   std::string objects, init = "(hand-empty) (on-table b0) (clear b" + std::to_string(blocks - 1) + ")", goal;
   const auto name = [&](int i) { return "b" + std::to_string(i * step % blocks); };
   for (int i = 0; i < blocks; ++i) objects += " b" + std::to_string(i);
   for (int i = 1; i < blocks; ++i) init += " (on b" + std::to_string(i) + " b" + std::to_string(i - 1) + ")";
   for (int i = 1; i < blocks; ++i) goal += " (on " + name(i) + " " + name(i - 1) + ")";
-  return "(define (problem t) (:domain blocks) (:objects" + objects + " - block) (:init " + init + ") (:goal (and" +
-         goal + ")))";
+  return "(define (problem t) (:domain blocks) (:objects" + objects + " - block) (:init " + init +
+         ") (:goal (and" + goal + ")))";
 }
 
 TEST(Towers, OfFortyBlocksTakeLittleEffort) {

@@ -1,4 +1,5 @@
-// Bad input of every kind: one clear message or a typed limit, in bounded time and memory. Also: cancelling at any moment.
+// Bad input of every kind: one clear message or a typed limit, in bounded time and memory. Also: cancelling
+// at any moment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -30,9 +31,9 @@ Expected<Plan> solve_text(const std::string& objects, const std::string& init, c
                           const SolveOptions& options = {}) {
   auto domain = parse_domain(kDomain, "d");
   if (!domain) return tl::unexpected(domain.error());
-  auto problem = parse_problem("(define (problem p) (:domain d) (:objects " + objects + ") (:init " + init +
-                                   ") (:goal " + goal + "))",
-                               "p", *domain);
+  auto problem = parse_problem(
+      "(define (problem p) (:domain d) (:objects " + objects + ") (:init " + init + ") (:goal " + goal + "))",
+      "p", *domain);
   if (!problem) return tl::unexpected(problem.error());
   auto plan = solve(*domain, *problem, options);
   if (plan && !validate(*problem, plan->actions)) return fail(Outcome::kInternal, "the plan is not valid");
@@ -46,7 +47,8 @@ std::string many(int count, const std::string& before, const std::string& after)
 }
 
 TEST(Hostile, AMillionObjectsAreNoReasonToThinkLong) {
-  const auto plan = solve_text(many(1'000'000, " c", "") + " - cup t - table", "", "(and (on c7 t) (clean c999999))");
+  const auto plan =
+      solve_text(many(1'000'000, " c", "") + " - cup t - table", "", "(and (on c7 t) (clean c999999))");
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->actions.size(), 2u);
   EXPECT_TRUE(plan->optimal);
@@ -56,7 +58,8 @@ TEST(Hostile, AMillionObjectsThatAllMatterEndInATypedLimit) {
   SolveOptions options;
   options.time_limit = std::chrono::milliseconds(500);
   options.memory_limit = 64 << 20;
-  const auto plan = solve_text(many(1'000'000, " c", "") + " - cup t - table", "", "(forall (?c - cup) (clean ?c))", options);
+  const auto plan = solve_text(many(1'000'000, " c", "") + " - cup t - table", "",
+                               "(forall (?c - cup) (clean ?c))", options);
   ASSERT_FALSE(plan);
   EXPECT_TRUE(plan.error().outcome == Outcome::kTimeLimit || plan.error().outcome == Outcome::kStepLimit)
       << plan.error().message;
@@ -65,11 +68,12 @@ TEST(Hostile, AMillionObjectsThatAllMatterEndInATypedLimit) {
 TEST(Hostile, TenThousandLiterals) {
   SolveOptions options;
   options.satisficing = true;
-  const auto plan = solve_text(many(10'000, " c", "") + " - cup t - table", "", "(and" + many(10'000, " (clean c", ")") + ")", options);
+  const auto plan = solve_text(many(10'000, " c", "") + " - cup t - table", "",
+                               "(and" + many(10'000, " (clean c", ")") + ")", options);
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->actions.size(), 10'000u);
-  const auto impossible =
-      solve_text(many(10'000, " c", "") + " - cup t - table", "", "(and" + many(10'000, " (clean c", ")") + " (not (clean c77)))");
+  const auto impossible = solve_text(many(10'000, " c", "") + " - cup t - table", "",
+                                     "(and" + many(10'000, " (clean c", ")") + " (not (clean c77)))");
   ASSERT_FALSE(impossible);
   EXPECT_EQ(impossible.error().outcome, Outcome::kNoPlan);
   EXPECT_THAT(impossible.error().message, HasSubstr("(clean c77) and (not (clean c77))"));
@@ -92,7 +96,8 @@ TEST(Hostile, DeepNestingInAGoal) {
 // Each disjunction doubles what multiplying out would give.
 TEST(Hostile, DisjunctionsAreNotMultipliedOut) {
   std::string goal = "(and";
-  for (int i = 0; i < 60; ++i) goal += " (or (clean c" + std::to_string(i) + ") (on c" + std::to_string(i) + " t))";
+  for (int i = 0; i < 60; ++i)
+    goal += " (or (clean c" + std::to_string(i) + ") (on c" + std::to_string(i) + " t))";
   SolveOptions options;
   options.satisficing = true;
   const auto plan = solve_text(many(60, " c", "") + " - cup t - table", "", goal + ")", options);
@@ -106,14 +111,15 @@ TEST(Hostile, ActionsWithManyParametersEndInATypedLimit) {
     parameters += " ?x" + std::to_string(i);
     condition += " (p ?x" + std::to_string(i) + ")";
   }
-  const auto domain = parse_domain("(define (domain d) (:predicates (p ?x) (q)) (:action a :parameters (" + parameters +
-                                       ") :precondition (and" + condition + ") :effect (q))"
+  const auto domain = parse_domain("(define (domain d) (:predicates (p ?x) (q)) (:action a :parameters (" +
+                                       parameters + ") :precondition (and" + condition +
+                                       ") :effect (q))"
                                        "(:action b :parameters (?x ?y) :precondition (p ?y) :effect (p ?x)))",
                                    "d");
   ASSERT_TRUE(domain) << domain.error().message;
-  const auto problem = parse_problem("(define (problem p) (:domain d) (:objects" + many(30, " o", "") +
-                                         ") (:init (p o1)) (:goal (q)))",
-                                     "p", *domain);
+  const auto problem = parse_problem(
+      "(define (problem p) (:domain d) (:objects" + many(30, " o", "") + ") (:init (p o1)) (:goal (q)))", "p",
+      *domain);
   ASSERT_TRUE(problem) << problem.error().message;
   SolveOptions options;
   options.time_limit = std::chrono::seconds(1);
@@ -155,20 +161,22 @@ TEST(Hostile, DamagedFiles) {
 TEST(Hostile, AProblemForAnotherDomain) {
   const auto one = parse_domain(kDomain, "d");
   const auto other = parse_domain(kDomain, "d");
-  const auto problem = parse_problem("(define (problem p) (:domain d) (:objects c - cup) (:goal (clean c)))", "p", *one);
+  const auto problem =
+      parse_problem("(define (problem p) (:domain d) (:objects c - cup) (:goal (clean c)))", "p", *one);
   ASSERT_TRUE(problem);
   const auto plan = Planner(*other).solve(*problem);
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().outcome, Outcome::kInvalidRequest);
 }
 
-// The CPU time that the searching thread uses after it was told to stop, at random moments from the first microseconds
-// on: wall time would measure what else the machine does. The promise is 5 ms.
+// The CPU time that the searching thread uses after it was told to stop, at random moments from the first
+// microseconds on: wall time would measure what else the machine does. The promise is 5 ms.
 TEST(Cancelling, IsQuickAtAnyMoment) {
   const auto domain = load_domain(path("config/domains/benchmark.pddl"));
   ASSERT_TRUE(domain) << domain.error().message;
   const auto crowd = [](int cups, int wanted, const char* relation) {
-    WorldState world{{"Robot", "Shelf_1", "Sink", "SinkKnob", "Stove", "Microwave", "StoveFire_1", "StoveFire_2"}, {}};
+    WorldState world{
+        {"Robot", "Shelf_1", "Sink", "SinkKnob", "Stove", "Microwave", "StoveFire_1", "StoveFire_2"}, {}};
     std::vector<Predicate> facts;
     Goal goal;
     for (int i = 0; i < cups; ++i) {
@@ -186,7 +194,8 @@ TEST(Cancelling, IsQuickAtAnyMoment) {
   std::mt19937_64 random(7);
   double worst = 0.0;
   int cancelled = 0;
-  for (const auto& [world, goal] : {crowd(12, 12, "temperatureHigh"), crowd(2000, 30, "Water"), crowd(3000, 2000, "On")}) {
+  for (const auto& [world, goal] :
+       {crowd(12, 12, "temperatureHigh"), crowd(2000, 30, "Water"), crowd(3000, 2000, "On")}) {
     const auto problem = make_problem(*domain, world, goal);
     ASSERT_TRUE(problem) << problem.error().message;
     Planner planner(*domain);

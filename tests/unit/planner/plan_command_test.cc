@@ -20,12 +20,14 @@ struct Printed {
 };
 
 Printed plan(const std::string& goal, std::vector<std::string> more = {}) {
-  const auto file = std::filesystem::temp_directory_path() / ("plan_command_" + std::to_string(getpid()) + ".pddl");
-  std::ofstream(file) << "(define (problem p) (:domain goalnet-household) (:init (IsGraspable Mug_1) (On Mug_1 Counter_1)"
-                         " (HandsHold Zero) (TrayHolds Zero)) (:goal "
-                      << goal << "))";
-  std::vector<std::string> arguments = {"goalnet plan", std::string(GOALNET_SOURCE_DIR) + "/config/domains/household.pddl",
-                                        file.string()};
+  const auto file =
+      std::filesystem::temp_directory_path() / ("plan_command_" + std::to_string(getpid()) + ".pddl");
+  std::ofstream(file)
+      << "(define (problem p) (:domain goalnet-household) (:init (IsGraspable Mug_1) (On Mug_1 Counter_1)"
+         " (HandsHold Zero) (TrayHolds Zero)) (:goal "
+      << goal << "))";
+  std::vector<std::string> arguments = {
+      "goalnet plan", std::string(GOALNET_SOURCE_DIR) + "/config/domains/household.pddl", file.string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -41,7 +43,8 @@ Printed plan(const std::string& goal, std::vector<std::string> more = {}) {
 TEST(PlanCommand, PrintsThePlanInTheCompetitionsFormat) {
   const Printed run = plan("(On Mug_1 Sink)");
   EXPECT_EQ(run.code, 0);
-  EXPECT_EQ(run.out, "(moveto Mug_1)\n(grasp Mug_1)\n(moveto Sink)\n(keep-on Mug_1 Sink)\n; cost = 4 (unit cost)\n");
+  EXPECT_EQ(run.out,
+            "(moveto Mug_1)\n(grasp Mug_1)\n(moveto Sink)\n(keep-on Mug_1 Sink)\n; cost = 4 (unit cost)\n");
   EXPECT_EQ(run.error, "");
   const auto json = nlohmann::json::parse(plan("(On Mug_1 Sink)", {"--json"}).out);
   EXPECT_EQ(json["actions"].size(), 4u);
