@@ -57,11 +57,12 @@ const NounPhrase* Clause::first(Role role) const {
 }
 
 std::size_t ClauseParser::skip_joins(std::size_t at, std::size_t end) const {
-  while (at < end && (language_.joins(words_[at]) ||
-                      (language_.filler(words_[at]) && !reader_.starts(at, end) &&
-                       !language_.asks(words_[at]) && words_[at] != "i" && words_[at] != "we" &&
-                       !place_preposition(words_[at]) && !one_of(words_[at], kSubordinate) &&
-                       !one_of(words_[at], kParticles) && language_.verb(words_[at]) == Frame::kNone)))
+  while (at < end &&
+         (language_.joins(words_[at]) ||
+          (language_.filler(words_[at]) && !reader_.starts(at, end) && !language_.asks(words_[at]) &&
+           words_[at] != "let" && words_[at] != "i" && words_[at] != "we" && !place_preposition(words_[at]) &&
+           !one_of(words_[at], kSubordinate) && !one_of(words_[at], kParticles) &&
+           language_.verb(words_[at]) == Frame::kNone)))
     ++at;
   return at;
 }
