@@ -175,16 +175,19 @@ BoostedTrees BoostedTrees::train_bag(std::span<const float> rows, std::size_t co
   return all;
 }
 
-float BoostedTrees::predict(std::span<const float> row) const {
-  float sum = 0;
-  for (std::int32_t i : roots_) {
-    while (nodes_[static_cast<std::size_t>(i)].feature >= 0) {
-      const Node& node = nodes_[static_cast<std::size_t>(i)];
-      i = row[static_cast<std::size_t>(node.feature)] < node.threshold ? node.left : node.right;
+std::vector<float> BoostedTrees::predict(std::span<const float> rows, std::size_t columns) const {
+  std::vector<float> sums(rows.size() / columns, 0.0f);
+  // Tree by tree: a tree fits into the processor's nearest memory, all of them do not.
+  for (const std::int32_t root : roots_)
+    for (std::size_t r = 0; r < sums.size(); ++r) {
+      const float* row = rows.data() + r * columns;
+      const Node* node = &nodes_[static_cast<std::size_t>(root)];
+      while (node->feature >= 0)
+        node = &nodes_[static_cast<std::size_t>(row[node->feature] < node->threshold ? node->left
+                                                                                     : node->right)];
+      sums[r] += node->threshold;
     }
-    sum += nodes_[static_cast<std::size_t>(i)].threshold;
-  }
-  return sum;
+  return sums;
 }
 
 bool BoostedTrees::assign(std::vector<Node> nodes, std::vector<std::int32_t> roots, std::size_t columns) {

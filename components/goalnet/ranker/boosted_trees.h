@@ -36,7 +36,9 @@ class BoostedTrees {
   static BoostedTrees train_bag(std::span<const float> rows, std::size_t columns,
                                 std::span<const float> targets, BoostOptions options, int bag);
 
-  float predict(std::span<const float> row) const;
+  float predict(std::span<const float> row) const { return predict(row, row.size()).front(); }
+  // `rows` as for train(); one prediction for each row.
+  std::vector<float> predict(std::span<const float> rows, std::size_t columns) const;
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<std::int32_t>& roots() const { return roots_; }
   // From a file. False when an index points outside or backwards (trees would not end).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace goalnet::inference {
 namespace {
@@ -12,10 +13,10 @@ bool includes(const std::vector<ClassId>& classes, ClassId id) {
   return std::binary_search(classes.begin(), classes.end(), id);
 }
 
+constexpr std::size_t kEnough = 80;  // objects
+
 // A world of very many objects: what the instruction names, what is held, and as many others as fit.
 std::vector<SeenObject> relevant(const Instruction& instruction, const SymState& state) {
-  constexpr std::size_t kEnough = 80;
-  if (instruction.objects.size() <= kEnough) return instruction.objects;
   std::vector<SeenObject> chosen;
   const auto wanted = [&](const SeenObject& object) {
     return object.mention >= 0 || state.holds(object.symbol) || object.symbol < kFirstFree;
@@ -25,6 +26,30 @@ std::vector<SeenObject> relevant(const Instruction& instruction, const SymState&
   for (const SeenObject& object : instruction.objects)
     if (!wanted(object) && chosen.size() < kEnough) chosen.push_back(object);
   return chosen;
+}
+
+// A thing that can be taken, with what the loops over pairs ask of it.
+struct Movable {
+  Symbol symbol;
+  bool utensil, scoops, cd, xbox, squeezable;
+};
+
+struct Place {
+  Symbol symbol;
+  bool on, in;
+};
+
+// The facts of one relation about one subject.
+std::span<const SymFact> facts_about(const SymState& state, Relation relation, Symbol subject) {
+  const auto& facts = state.facts();
+  const SymFact first = sym_fact(relation, subject);
+  const auto begin = std::lower_bound(facts.begin(), facts.end(), first);
+  const auto end = std::find_if(begin, facts.end(), [&](SymFact fact) { return fact >> 14 != first >> 14; });
+  return {begin, end};
+}
+
+bool includes(std::span<const SymFact> facts, Symbol object) {
+  return std::any_of(facts.begin(), facts.end(), [&](SymFact fact) { return object_of(fact) == object; });
 }
 
 struct DeviceAction {
@@ -65,34 +90,40 @@ constexpr std::array<DeviceAction, 25> kDeviceActions = {{
 std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon& lexicon,
                                   const Places& places, const SymState& state) {
   std::vector<SymAction> list = {SymAction{}};
-  const std::vector<SeenObject> objects = relevant(instruction, state);
+  list.reserve(512);
+  std::vector<SeenObject> chosen;
+  const std::vector<SeenObject>& objects =
+      instruction.objects.size() > kEnough ? chosen = relevant(instruction, state) : instruction.objects;
   const auto graspable = [&](Symbol o) { return state.has(Relation::kIsGraspable, o) || state.holds(o); };
   // Cheap necessary conditions only; what changes nothing is dropped by would_change().
   const auto offer = [&](const SymAction& action) {
     if (list.size() < kMaxCandidates) list.push_back(action);
   };
-  std::vector<SeenObject> movable, vessels;
-  for (const SeenObject& object : objects) {
-    if (!graspable(object.symbol)) continue;
-    movable.push_back(object);
-    const ObjectClass& c = lexicon.object_class(object.class_id);
-    if (c.vessel || c.dish) vessels.push_back(object);
-  }
+  std::vector<Movable> movable;
+  std::vector<Symbol> vessels;
+  std::vector<Place> where;
   for (const SeenObject& object : objects) {
     const Symbol o = object.symbol;
+    const Place place{o, includes(places.on, object.class_id), includes(places.in, object.class_id)};
+    if (place.on || place.in) where.push_back(place);
     const bool held = state.holds(o);
     if (!held && !state.near(o)) offer({Verb::kMoveTo, o});
-    if (!graspable(o)) continue;
+    if (!held && !state.has(Relation::kIsGraspable, o)) continue;
     offer({held ? Verb::kRelease : Verb::kGrasp, o});
+    const ObjectClass& c = lexicon.object_class(object.class_id);
+    movable.push_back({o, c.utensil, state.is(o, kScoopsLeft), state.is(o, kCD), c.name == "xbox",
+                       state.has(Relation::kIsSqueezeable, o) && state.is(o, kChocolate)});
+    if (c.vessel || c.dish) vessels.push_back(o);
   }
-  for (const SeenObject& x : movable)
-    for (const SeenObject& y : objects) {
+  for (const Movable& x : movable) {
+    const auto on = facts_about(state, Relation::kOn, x.symbol),
+               in = facts_about(state, Relation::kIn, x.symbol);
+    for (const Place& y : where) {
       if (x.symbol == y.symbol) continue;
-      if (includes(places.on, y.class_id) && !state.has(Relation::kOn, x.symbol, y.symbol))
-        offer({Verb::kKeepOn, x.symbol, y.symbol});
-      if (includes(places.in, y.class_id) && !state.has(Relation::kIn, x.symbol, y.symbol))
-        offer({Verb::kKeepIn, x.symbol, y.symbol});
+      if (y.on && !includes(on, y.symbol)) offer({Verb::kKeepOn, x.symbol, y.symbol});
+      if (y.in && !includes(in, y.symbol)) offer({Verb::kKeepIn, x.symbol, y.symbol});
     }
+  }
   for (const DeviceAction& device : kDeviceActions) {
     if (instruction.find(device.device) < 0) continue;
     const bool tv = device.action.verb == Verb::kPress && device.action.x > kTv_1Remote_1PowerButton;
@@ -112,34 +143,28 @@ std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon&
       continue;
     offer(device.action);
   }
-  for (const SeenObject& x : vessels) {
+  for (const Symbol x : vessels) {
     bool full = false;
-    for (Symbol content = kWater; content <= kEgg; ++content) full = full || state.is(x.symbol, content);
+    for (Symbol content = kWater; content <= kEgg; ++content) full = full || state.is(x, content);
     if (!full) continue;
-    offer({Verb::kPour, x.symbol});
-    for (const SeenObject& y : vessels)
-      if (x.symbol != y.symbol) offer({Verb::kPourInto, x.symbol, y.symbol});
+    offer({Verb::kPour, x});
+    for (const Symbol y : vessels)
+      if (x != y) offer({Verb::kPourInto, x, y});
   }
-  for (const SeenObject& y : vessels) {
+  for (const Symbol y : vessels) {
     for (const Symbol ingredient : {kSalt_1, kRamen_1, kBoiledEgg_1})
-      if (instruction.find(ingredient) >= 0 && graspable(ingredient))
-        offer({Verb::kAdd, ingredient, y.symbol});
-    if (state.is(kSpoon_1, kScoopsLeft)) offer({Verb::kAdd, kIceCreamScoop, y.symbol});
-    for (const SeenObject& x : movable)
-      if (x.symbol != y.symbol && state.has(Relation::kIsSqueezeable, x.symbol) &&
-          state.is(x.symbol, kChocolate))
-        offer({Verb::kSqueeze, x.symbol, y.symbol});
+      if (instruction.find(ingredient) >= 0 && graspable(ingredient)) offer({Verb::kAdd, ingredient, y});
+    if (state.is(kSpoon_1, kScoopsLeft)) offer({Verb::kAdd, kIceCreamScoop, y});
+    for (const Movable& x : movable)
+      if (x.symbol != y && x.squeezable) offer({Verb::kSqueeze, x.symbol, y});
     for (const Symbol utensil : {kFork_1, kSpoon_1})
-      if (instruction.find(utensil) >= 0) offer({Verb::kPlace, utensil, y.symbol});
+      if (instruction.find(utensil) >= 0) offer({Verb::kPlace, utensil, y});
   }
-  for (const SeenObject& x : movable)
-    for (const SeenObject& y : movable) {
+  for (const Movable& x : movable)
+    for (const Movable& y : movable) {
       if (x.symbol == y.symbol) continue;
-      if (lexicon.object_class(x.class_id).utensil && state.is(y.symbol, kScoopsLeft) &&
-          !lexicon.object_class(y.class_id).utensil && !state.is(x.symbol, kScoopsLeft))
-        offer({Verb::kScoop, x.symbol, y.symbol});
-      if (state.is(x.symbol, kCD) && lexicon.object_class(y.class_id).name == "xbox")
-        offer({Verb::kInsert, x.symbol, y.symbol});
+      if (x.utensil && y.scoops && !y.utensil && !x.scoops) offer({Verb::kScoop, x.symbol, y.symbol});
+      if (x.cd && y.xbox) offer({Verb::kInsert, x.symbol, y.symbol});
     }
   return list;
 }

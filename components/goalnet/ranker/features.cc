@@ -23,6 +23,29 @@ std::uint32_t feature(std::uint32_t kind, Values... values) {
   return hash & (kFeatureBuckets - 1);
 }
 
+// Appends features without asking each time whether there is room.
+class Appender {
+ public:
+  Appender(std::vector<std::uint32_t>& out, const Instruction& instruction) : out_(out) {
+    constexpr std::size_t kMost = 128, kMostForWord = 8;
+    const std::size_t before = out.size();
+    out.resize(before + kMost + kMostForWord * (instruction.unigrams.size() + instruction.bigrams.size()));
+    next_ = out.data() + before;
+  }
+  Appender(const Appender&) = delete;
+  Appender& operator=(const Appender&) = delete;
+  ~Appender() { out_.resize(static_cast<std::size_t>(next_ - out_.data())); }
+
+  template <class... Values>
+  void operator()(Values... values) {
+    *next_++ = feature(values...);
+  }
+
+ private:
+  std::vector<std::uint32_t>& out_;
+  std::uint32_t* next_ = nullptr;
+};
+
 std::uint32_t few(int count, int most) { return static_cast<std::uint32_t>(std::min(count, most)); }
 
 // Devices are told apart by name (a knob is not a knob); movable things are not.
@@ -136,22 +159,41 @@ FeatureContext::FeatureContext(const Instruction& instruction, const Lexicon& le
   held_ = few(static_cast<int>(held_), 3);
   held_named_ = few(static_cast<int>(held_named_), 3);
   codes_.reserve(instruction.objects.size());
-  for (const SeenObject& object : instruction.objects) codes_.push_back(make_code(object.symbol));
+  for (std::size_t i = 0; i < instruction.objects.size(); ++i) codes_.push_back(make_code(i));
+  place_objects();
 }
 
-FeatureContext::ObjectCode FeatureContext::make_code(Symbol symbol) const {
-  ObjectCode code;
-  code.index = instruction_.find(symbol);
-  if (code.index < 0) {
-    code.class_code = 100000u + symbol;
-    code.name = symbol;
-    return code;
+// Where the objects are and what is in them: one look at each fact.
+void FeatureContext::place_objects() {
+  for (const SymFact fact : run_.now.facts()) {
+    const Relation relation = relation_of(fact);
+    const Symbol subject = subject_of(fact), object = object_of(fact);
+    const bool located = relation == Relation::kOn || relation == Relation::kIn;
+    if ((!located && relation != Relation::kState) || (located && subject == object)) continue;
+    const int index = instruction_.find(subject);
+    if (index < 0) continue;
+    ObjectCode& code = codes_[static_cast<std::size_t>(index)];
+    if (located) {
+      const int place = instruction_.find(object);
+      code.place = place >= 0 ? 2u + instruction_.objects[static_cast<std::size_t>(place)].class_id : 1u;
+      code.place_named = place >= 0 && instruction_.objects[static_cast<std::size_t>(place)].mention >= 0;
+    } else {
+      if (object == kWater) code.contents |= 1u;
+      if (object == ktemperatureHigh) code.contents |= 2u;
+      if (object >= kCoffee && object <= kEgg) code.contents |= 4u;
+    }
   }
-  const SeenObject& object = instruction_.objects[static_cast<std::size_t>(code.index)];
+}
+
+FeatureContext::ObjectCode FeatureContext::make_code(std::size_t index) const {
+  ObjectCode code;
+  code.index = static_cast<int>(index);
+  const SeenObject& object = instruction_.objects[index];
+  const Symbol symbol = object.symbol;
   const SymState& now = run_.now;
   code.held = now.holds(symbol);
   code.name = object.name_hash;
-  const std::uint32_t handled = handled_[static_cast<std::size_t>(code.index)];
+  const std::uint32_t handled = handled_[index];
   code.handled = handled != 0;
   code.named = object.grounded || object.level != NameLevel::kNone;
   code.mention = static_cast<std::uint32_t>(object.level) * 2 + (object.grounded ? 1 : 0);
@@ -167,26 +209,14 @@ FeatureContext::ObjectCode FeatureContext::make_code(Symbol symbol) const {
   code.before = object.word_before;
   code.class_code = object.class_id;
   code.rank = object.rank * 8u + std::min<std::uint8_t>(object.of_class, 7);
-  // Where it is now: in the hand, or the class of what it stands on or in.
-  for (const SymFact fact : now.facts()) {
-    const Relation relation = relation_of(fact);
-    if (relation != Relation::kOn && relation != Relation::kIn) continue;
-    if (subject_of(fact) != symbol || object_of(fact) == symbol) continue;
-    const int place = instruction_.find(object_of(fact));
-    code.place = place >= 0 ? 2u + instruction_.objects[static_cast<std::size_t>(place)].class_id : 1u;
-    code.place_named = place >= 0 && instruction_.objects[static_cast<std::size_t>(place)].mention >= 0;
-  }
   code.mention_index = object.mention;
   code.clause = object.clause;
-  code.contents = (now.is(symbol, kWater) ? 1u : 0u) + (now.is(symbol, ktemperatureHigh) ? 2u : 0u);
-  for (Symbol content = kCoffee; content <= kEgg; ++content)
-    if (now.is(symbol, content)) code.contents |= 4u;
   code.turn = object.mention < 0                ? 0u
               : object.mention == next_mention_ ? 1u
               : object.mention < next_mention_  ? 2u
                                                 : 3u;
-  code.last_use = last_use_[static_cast<std::size_t>(code.index)];
-  code.last_place = last_place_[static_cast<std::size_t>(code.index)];
+  code.last_use = last_use_[index];
+  code.last_place = last_place_[index];
   code.state = (code.held ? 1u : 0u) + (now.near(symbol) ? 2u : 0u) + handled * 4u;
   return code;
 }
@@ -212,7 +242,11 @@ std::uint32_t FeatureContext::class_code(Symbol symbol) const {
 
 FeatureContext::ObjectCode FeatureContext::code(Symbol symbol) const {
   const int index = instruction_.find(symbol);
-  return index < 0 ? make_code(symbol) : codes_[static_cast<std::size_t>(index)];
+  if (index >= 0) return codes_[static_cast<std::size_t>(index)];
+  ObjectCode code;
+  code.class_code = 100000u + symbol;
+  code.name = symbol;
+  return code;
 }
 
 float FeatureContext::vote(const SymAction& action, const ObjectCode& x_code,
@@ -257,7 +291,7 @@ std::uint32_t FeatureContext::repeats(const SymAction& action, std::uint32_t x_c
 }
 
 void FeatureContext::extract_stop(std::vector<std::uint32_t>& out) const {
-  const auto add = [&](auto... values) { out.push_back(feature(values...)); };
+  Appender add(out, instruction_);
   const std::uint32_t last = verb_code(last_), before = verb_code(before_last_);
   const ObjectCode x = code(uses_device(last_.verb) ? device_of(last_.x) : last_.x), y = code(last_.y);
   const std::uint32_t vote_stop = vote_code(stop_vote());
@@ -305,7 +339,7 @@ void FeatureContext::extract_stop(std::vector<std::uint32_t>& out) const {
 // What does not change during a run: the words, the classes, the names.
 void FeatureContext::extract_fixed(const SymAction& action, std::vector<std::uint32_t>& out) const {
   if (action.verb == Verb::kStop) return;
-  const auto add = [&](auto... values) { out.push_back(feature(values...)); };
+  Appender add(out, instruction_);
   const std::uint32_t v = verb_code(action), verb_only = static_cast<std::uint32_t>(action.verb);
   const std::uint32_t w0 = instruction_.first_verb, frame = instruction_.first_frame;
   const ObjectCode x = code(uses_device(action.verb) ? device_of(action.x) : action.x), y = code(action.y);
@@ -364,7 +398,7 @@ void FeatureContext::extract_fixed(const SymAction& action, std::vector<std::uin
 // What depends on the moment: what was done, where things are.
 void FeatureContext::extract_moment(const SymAction& action, std::vector<std::uint32_t>& out) const {
   if (action.verb == Verb::kStop) return extract_stop(out);
-  const auto add = [&](auto... values) { out.push_back(feature(values...)); };
+  Appender add(out, instruction_);
   const std::uint32_t v = verb_code(action), last = verb_code(last_), before = verb_code(before_last_);
   const std::uint32_t verb_only = static_cast<std::uint32_t>(action.verb);
   const ObjectCode x = code(uses_device(action.verb) ? device_of(action.x) : action.x), y = code(action.y);

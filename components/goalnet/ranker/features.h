@@ -39,7 +39,8 @@ class FeatureContext {
     bool named = false, held = false, handled = false, place_named = false;
     int index = -1, mention_index = -1;
   };
-  ObjectCode make_code(Symbol object) const;
+  ObjectCode make_code(std::size_t object) const;  // all but where it is and what is in it
+  void place_objects();
   ObjectCode code(Symbol object) const;
   float vote(const SymAction& action, const ObjectCode& x, const ObjectCode& y) const;
   float stop_vote() const;

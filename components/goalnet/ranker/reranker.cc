@@ -18,8 +18,12 @@ Choice choose_run(const BoostedTrees& trees, const std::vector<CandidateRun>& po
   constexpr float kSharpness = 15;  // chosen by cross-validation among 8, 15 and 30
   std::vector<float> weight(pool.size());
   float total = 1e-9f;
+  const std::span<const float> rows(features.empty() ? nullptr : features.front().data(),
+                                    features.size() * kRunFeatures);
+  const std::vector<float> predicted =
+      trees.empty() ? std::vector<float>(pool.size(), 0.0f) : trees.predict(rows, kRunFeatures);
   for (std::size_t i = 0; i < pool.size(); ++i) {
-    weight[i] = pool[i].weight * (trees.empty() ? 1.0f : std::exp(kSharpness * trees.predict(features[i])));
+    weight[i] = pool[i].weight * std::exp(kSharpness * predicted[i]);
     total += weight[i];
   }
   Choice best;

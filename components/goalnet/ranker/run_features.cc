@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace goalnet::inference {
 namespace {
@@ -176,10 +177,11 @@ void put_votes(Row& row, const CandidateRun& run, const Instruction& instruction
 
 }  // namespace
 
-AgreementTable::AgreementTable(const std::vector<CandidateRun>& pool) : size_(pool.size()) {
-  cells_.reserve(size_ * size_);
-  for (const CandidateRun& run : pool)
-    for (const CandidateRun& truth : pool) cells_.push_back(agreement(run, truth));
+AgreementTable::AgreementTable(const std::vector<CandidateRun>& pool)
+    : size_(pool.size()), cells_(size_ * size_) {
+  for (std::size_t i = 0; i < size_; ++i)
+    for (std::size_t j = i; j < size_; ++j)
+      std::tie(cells_[i * size_ + j], cells_[j * size_ + i]) = mutual_agreement(pool[i], pool[j]);
 }
 
 std::vector<RunFeatures> run_features(const std::vector<CandidateRun>& pool, const AgreementTable& table,

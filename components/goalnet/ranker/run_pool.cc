@@ -70,7 +70,7 @@ CandidateRun play(const SymState& start, std::span<const SymAction> macros) {
   return run;
 }
 
-Agreement agreement(const CandidateRun& run, const CandidateRun& truth) {
+std::pair<Agreement, Agreement> mutual_agreement(const CandidateRun& run, const CandidateRun& truth) {
   Agreement result;
   const float hit = static_cast<float>(common(run.change.added, truth.change.added) +
                                        common(run.change.removed, truth.change.removed));
@@ -82,7 +82,14 @@ Agreement agreement(const CandidateRun& run, const CandidateRun& truth) {
   }
   result.grr = hit == wanted ? 1.0f : 0.0f;
   result.ied = edit_agreement(run.actions, truth.actions);
-  return result;
+  // All but the share of the wanted that was reached is the same from both sides.
+  Agreement reverse = result;
+  reverse.grr = hit == got ? 1.0f : 0.0f;
+  return {result, reverse};
+}
+
+Agreement agreement(const CandidateRun& run, const CandidateRun& truth) {
+  return mutual_agreement(run, truth).first;
 }
 
 }  // namespace goalnet::inference

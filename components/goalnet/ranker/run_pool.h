@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "components/goalnet/sym_sim.h"
@@ -29,5 +30,7 @@ struct Agreement {
   float mean() const { return (sji + f1 + ied + grr) / 4; }
 };
 Agreement agreement(const CandidateRun& run, const CandidateRun& truth);
+// {agreement(a, b), agreement(b, a)} for little more than one of them.
+std::pair<Agreement, Agreement> mutual_agreement(const CandidateRun& a, const CandidateRun& b);
 
 }  // namespace goalnet::inference
