@@ -5,8 +5,9 @@
 
 namespace goalnet::tools {
 
-// Keys: "robot" (load_model's default use), "benchmark" (the scored use): summaries in ms over the
-// instructions of one kitchen; nothing is remembered between them.
+// Keys: "robot" (load_model's default use), "benchmark" (the scored use): the instructions of one kitchen;
+// "recorded" (the scored use): the sentences of DATA/val, where there is that folder. Each has summaries in ms
+// of the wall's clock and in cpu_ms of the thread's; nothing is remembered between instructions.
 nlohmann::json bench_decode(const BenchOptions& options);
 
 }  // namespace goalnet::tools

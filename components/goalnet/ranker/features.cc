@@ -1,6 +1,7 @@
 #include "components/goalnet/ranker/features.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace goalnet::inference {
 namespace {
@@ -253,10 +254,10 @@ float FeatureContext::vote(const SymAction& action, const ObjectCode& x_code,
                            const ObjectCode& y_code) const {
   const ClassId x = x_code.index >= 0 ? static_cast<ClassId>(x_code.class_code) : kNoClass;
   const ClassId y = y_code.index >= 0 ? static_cast<ClassId>(y_code.class_code) : kNoClass;
-  float weight = 0;
-  for (const NeighbourVote& vote : hints_.votes)
-    if (vote.verb == action.verb && vote.x == x && vote.y == y) weight += vote.weight;
-  return weight;
+  const auto key = std::tuple(action.verb, x, y);
+  const auto of = [](const NeighbourVote& vote) { return std::tuple(vote.verb, vote.x, vote.y); };
+  const auto found = std::ranges::lower_bound(hints_.votes, key, {}, of);
+  return found != hints_.votes.end() && of(*found) == key ? found->weight : 0;
 }
 
 // What the grammar's reading says about an action.

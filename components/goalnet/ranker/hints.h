@@ -32,7 +32,7 @@ struct Reading {
 };
 
 struct Hints {
-  std::vector<NeighbourVote> votes;
+  std::vector<NeighbourVote> votes;  // sorted by verb, x, y; each once
   std::vector<Habit> habits;  // sorted by action
   Reading reading;
 };

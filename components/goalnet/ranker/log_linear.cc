@@ -1,12 +1,38 @@
 #include "components/goalnet/ranker/log_linear.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "components/goalnet/random.h"
 
 namespace goalnet::inference {
+
+void LogLinear::score(std::span<const std::uint32_t> features, std::span<const std::uint32_t> offsets,
+                      std::vector<float>& scores) const {
+  constexpr std::size_t kAtOnce = 4;
+  const std::size_t count = offsets.size() - 1;
+  scores.assign(count, 0.0f);
+  for (std::size_t first = 0; first < count; first += kAtOnce) {
+    const std::size_t last = std::min(first + kAtOnce, count);
+    std::size_t common = 0;  // so many features all of them have
+    if (last - first == kAtOnce) {
+      std::array<const std::uint32_t*, kAtOnce> at;
+      std::array<float, kAtOnce> sum{};
+      common = features.size();
+      for (std::size_t k = 0; k < kAtOnce; ++k) {
+        at[k] = features.data() + offsets[first + k];
+        common = std::min<std::size_t>(common, offsets[first + k + 1] - offsets[first + k]);
+      }
+      for (std::size_t f = 0; f < common; ++f)
+        for (std::size_t k = 0; k < kAtOnce; ++k) sum[k] += weights_[at[k][f]];
+      for (std::size_t k = 0; k < kAtOnce; ++k) scores[first + k] = sum[k];
+    }
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t f = offsets[i] + common; f < offsets[i + 1]; ++f) scores[i] += weights_[features[f]];
+  }
+}
 
 void LogLinear::softmax(std::vector<float>& scores, float temperature) {
   const float most = *std::max_element(scores.begin(), scores.end());
@@ -35,9 +61,9 @@ void LogLinear::train(std::span<const Decision> decisions, const LogLinearOption
       const auto of = [&](std::size_t i) {
         return features.subspan(decision.offsets[i], decision.offsets[i + 1] - decision.offsets[i]);
       };
-      scores.resize(count);
-      for (std::size_t i = 0; i < count; ++i)
-        scores[i] = score(of(i)) + (decision.offset.empty() ? 0.0f : decision.offset[i]);
+      score(features, decision.offsets, scores);
+      if (!decision.offset.empty())
+        for (std::size_t i = 0; i < count; ++i) scores[i] += decision.offset[i];
       softmax(scores);
       for (std::size_t i = 0; i < count; ++i) {
         if (decision.target[i] > 0) loss -= decision.target[i] * std::log(std::max(scores[i], 1e-9f));

@@ -33,6 +33,9 @@ class LogLinear {
     for (const std::uint32_t feature : features) sum += weights_[feature];
     return sum;
   }
+  // Of each candidate, features[offsets[i] .. offsets[i + 1]). Several at once: one alone waits for its sum.
+  void score(std::span<const std::uint32_t> features, std::span<const std::uint32_t> offsets,
+             std::vector<float>& scores) const;
   // Replaces `scores` by probabilities at the given temperature.
   static void softmax(std::vector<float>& scores, float temperature = 1);
 

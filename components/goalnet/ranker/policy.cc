@@ -41,11 +41,6 @@ std::uint64_t key_of(const SymAction& action) {
 void Rollout::expand(std::size_t index) {
   if (nodes_[index].expanded) return;
   const FeatureContext context(instruction_, lexicon_, hints_, nodes_[index].run);
-  const auto score = [&](auto extract, const SymAction& action) {
-    features_.clear();
-    (context.*extract)(action, features_);
-    return model_.score(features_);
-  };
   struct Choice {
     SymAction action;
     float fixed;
@@ -54,7 +49,11 @@ void Rollout::expand(std::size_t index) {
   float most = -1e9f;
   for (const SymAction& action : candidates(instruction_, lexicon_, places_, nodes_[index].run.now)) {
     const auto [fixed, added] = fixed_.try_emplace(key_of(action), 0.0f);
-    if (added) fixed->second = score(&FeatureContext::extract_fixed, action);
+    if (added) {
+      features_.clear();
+      context.extract_fixed(action, features_);
+      fixed->second = model_.score(features_);
+    }
     if (action.verb != Verb::kStop) most = std::max(most, fixed->second);
     choices.push_back({action, fixed->second});
   }
@@ -64,11 +63,17 @@ void Rollout::expand(std::size_t index) {
     return choice.action.verb != Verb::kStop && choice.fixed < most - kMargin;
   });
   std::vector<SymAction> actions;
-  std::vector<float> sum;
+  actions.reserve(choices.size());
+  features_.clear();
+  offsets_.assign(1, 0);
   for (const Choice& choice : choices) {
     actions.push_back(choice.action);
-    sum.push_back(choice.fixed + score(&FeatureContext::extract_moment, choice.action));
+    context.extract_moment(choice.action, features_);
+    offsets_.push_back(static_cast<std::uint32_t>(features_.size()));
   }
+  std::vector<float> sum;
+  model_.score(features_, offsets_, sum);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = choices[i].fixed + sum[i];
   LogLinear::softmax(sum);
   Node& node = nodes_[index];
   node.actions = std::move(actions);

@@ -57,7 +57,7 @@ class Rollout {
   const Hints& hints_;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, float> fixed_;  // score of what does not change during a run
-  std::vector<std::uint32_t> features_;
+  std::vector<std::uint32_t> features_, offsets_;
 };
 
 }  // namespace goalnet::inference
