@@ -1,8 +1,10 @@
 #include "tools/goalnet/train_ranker_kind.h"
 
 #include <charconv>
+#include <filesystem>
 
 #include "components/goalnet/ranker/train.h"
+#include "tools/goalnet/stop_signal.h"
 
 namespace goalnet::tools {
 namespace {
@@ -48,16 +50,23 @@ Expected<void> train_ranker_kind(const TrainRequest& request) {
   auto language = read_language_texts();
   if (!language) return tl::unexpected(language.error());
   options.language = std::move(*language);
-  if (request.progress)
-    options.progress = [&](const std::string& what, double done) {
-      request.progress(done, what);
-      return true;
-    };
+  options.checkpoint = request.out.string() + ".checkpoint";
+  std::error_code ignored;
+  if (request.fresh) std::filesystem::remove(options.checkpoint, ignored);
+  const StopSignal stop;
+  options.progress = [&](const std::string& what, double done) {
+    if (request.progress) request.progress(done, what);
+    return !stop.requested();
+  };
   const auto demonstrations = read_demonstrations(request.data);
   if (!demonstrations) return tl::unexpected(demonstrations.error());
   const auto parts = train(*demonstrations, options);
+  if (!parts && parts.error().outcome == Outcome::kCancelled)
+    return fail(Outcome::kCancelled, "stopped; the same command goes on from " + options.checkpoint);
   if (!parts) return tl::unexpected(parts.error());
-  return write_ranker(*parts, request.out.string());
+  if (auto written = write_ranker(*parts, request.out.string()); !written) return written;
+  std::filesystem::remove(options.checkpoint, ignored);
+  return {};
 }
 
 }  // namespace goalnet::tools

@@ -60,8 +60,8 @@ std::vector<Decision> decisions_of(const Example& example, const Instruction& in
   return decisions;
 }
 
-Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& lexicon, bool grounding,
-                    const RankerOptions& options, const std::function<bool(int, double)>& progress) {
+Ranker untrained_ranker(const std::vector<const Example*>& examples, bool grounding,
+                        const RankerOptions& options) {
   Ranker ranker;
   ranker.options = options;
   ranker.places = learn_places(examples);
@@ -69,6 +69,12 @@ Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& 
   for (const Example* example : examples)
     if (!example->perturbed) memories.push_back(remember(*example, grounding));
   ranker.neighbours = Neighbours(std::move(memories));
+  return ranker;
+}
+
+Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& lexicon, bool grounding,
+                    const RankerOptions& options, const std::function<bool(int, double)>& progress) {
+  Ranker ranker = untrained_ranker(examples, grounding, options);
   std::vector<Decision> decisions;
   Random random(options.training.seed);
   for (const Example* example : examples) {

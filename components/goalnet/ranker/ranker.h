@@ -34,7 +34,10 @@ struct Ranker {
   Confidence confidence;  // what the expected agreement of the choice is worth
 };
 
-// Trains on the examples, seen with or without their grounding. Deterministic.
+// All of a ranker but what is learned: the memories of the examples, seen with or without their grounding.
+Ranker untrained_ranker(const std::vector<const Example*>& examples, bool grounding,
+                        const RankerOptions& options);
+// With its policy trained on the examples. Deterministic.
 Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& lexicon, bool grounding,
                     const RankerOptions& options, const std::function<bool(int, double)>& progress = {});
 

@@ -266,6 +266,8 @@ Expected<RankerParts> make_parts(LanguageTexts texts, const std::string& name) {
   return parts;
 }
 
+std::string to_json(const RankerOptions& options) { return options_json(options).dump(); }
+
 Expected<void> write_ranker(const RankerParts& parts, const std::string& path) {
   SafeTensorsWriter writer;
   NameList names;

@@ -36,6 +36,8 @@ struct RankerParts {
 // Lexicon and Language from their texts.
 Expected<RankerParts> make_parts(LanguageTexts texts, const std::string& name);
 
+// The options as the model file has them.
+std::string to_json(const RankerOptions& options);
 // Reads and writes the model file. Reading checks everything; kInvalidRequest says what is wrong.
 Expected<RankerParts> read_ranker(const SafeTensors& file);
 Expected<void> write_ranker(const RankerParts& parts, const std::string& path);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "components/goalnet/evaluation.h"
+#include "components/goalnet/ranker/unseen_pools.h"
 
 namespace goalnet::inference {
 namespace {
@@ -37,51 +38,7 @@ Choice choose_run(const BoostedTrees& trees, const std::vector<CandidateRun>& po
   return best;
 }
 
-CandidateRun demonstrated_run(const Example& example) {
-  CandidateRun truth;
-  truth.end = example.states.back();
-  truth.change = delta(example.states.front(), example.states.back());
-  truth.actions = example.actions;
-  return truth;
-}
-
 namespace {
-
-// A pool for a demonstration that its ranker had not seen, and how each run of it would have scored.
-struct UnseenPool {
-  int fold = 0;
-  std::vector<CandidateRun> pool;
-  std::vector<RunFeatures> features;
-  std::vector<Agreement> scores;
-};
-
-std::vector<UnseenPool> pools_of_fold(const std::vector<const Example*>& examples, const ScenarioFolds& folds,
-                                      int fold, const Lexicon& lexicon, bool grounding,
-                                      const RankerOptions& options) {
-  std::vector<const Example*> seen, unseen;
-  for (const Example* example : examples) {
-    if (folds.fold_of(example->scenario) != fold)
-      seen.push_back(example);
-    else if (!example->perturbed)
-      unseen.push_back(example);
-  }
-  const Ranker ranker = train_ranker(seen, lexicon, grounding, options);
-  std::vector<UnseenPool> pools;
-  for (const Example* example : unseen) {
-    const Instruction& instruction = grounding ? example->given : example->none;
-    const SymState& start = example->states.front();
-    const Reading& reading = grounding ? example->read_given : example->read_none;
-    auto [pool, hints] = propose(ranker, lexicon, instruction, reading, start, hash_text(example->id));
-    UnseenPool unseen_pool;
-    unseen_pool.fold = fold;
-    unseen_pool.features = run_features(pool, AgreementTable(pool), instruction, start, hints);
-    const CandidateRun truth = demonstrated_run(*example);
-    for (const CandidateRun& run : pool) unseen_pool.scores.push_back(agreement(run, truth));
-    unseen_pool.pool = std::move(pool);
-    pools.push_back(std::move(unseen_pool));
-  }
-  return pools;
-}
 
 // Trees that learn from all pools but those of one fold (-1: from all).
 BoostedTrees fit(const std::vector<UnseenPool>& pools, int without_fold, int bag) {
@@ -98,17 +55,31 @@ BoostedTrees fit(const std::vector<UnseenPool>& pools, int without_fold, int bag
 
 }  // namespace
 
-Reranker train_reranker(const std::vector<const Example*>& examples, const Lexicon& lexicon, bool grounding,
-                        const RankerOptions& options, const std::function<bool(double)>& progress) {
+Expected<Reranker> train_reranker(const std::vector<const Example*>& examples, const Lexicon& lexicon,
+                                  bool grounding, const RankerOptions& options, Checkpoint& checkpoint,
+                                  const std::function<bool(double)>& progress) {
   constexpr int kBag = 2;
+  constexpr double kPools = 0.8, kTrees = 0.15;  // shares of the time; the rest is the last trees'
+  const Error cancelled{Outcome::kCancelled, "training was stopped"};
   std::set<std::string> scenarios;
   for (const Example* example : examples) scenarios.insert(example->scenario);
   const ScenarioFolds folds(scenarios, kFolds, 11);
   std::vector<UnseenPool> pools;
   for (int fold = 0; fold < kFolds; ++fold) {
-    auto more = pools_of_fold(examples, folds, fold, lexicon, grounding, options);
-    std::move(more.begin(), more.end(), std::back_inserter(pools));
-    if (progress && !progress(0.8 * (fold + 1.0) / kFolds)) return {};
+    std::vector<const Example*> seen, unseen;
+    for (const Example* example : examples) {
+      if (folds.fold_of(example->scenario) != fold)
+        seen.push_back(example);
+      else if (!example->perturbed)
+        unseen.push_back(example);
+    }
+    const std::string stage =
+        std::string(grounding ? "given" : "none") + ".pools." + std::to_string(fold + 1);
+    auto more =
+        unseen_pools(seen, unseen, fold, lexicon, grounding, options, checkpoint, stage,
+                     [&](double part) { return !progress || progress(kPools * (fold + part) / kFolds); });
+    if (!more) return tl::unexpected(more.error());
+    std::move(more->begin(), more->end(), std::back_inserter(pools));
   }
   std::vector<Confidence::Point> reached;
   for (int fold = 0; fold < kFolds; ++fold) {
@@ -118,9 +89,9 @@ Reranker train_reranker(const std::vector<const Example*>& examples, const Lexic
       const Choice choice = choose_run(trees, pool.pool, AgreementTable(pool.pool), pool.features);
       reached.emplace_back(choice.expected, pool.scores[choice.run].sji);
     }
-    if (progress && !progress(0.8 + 0.15 * (fold + 1.0) / kFolds)) return {};
+    if (progress && !progress(kPools + kTrees * (fold + 1.0) / kFolds)) return tl::unexpected(cancelled);
   }
-  return {fit(pools, -1, kBag), Confidence::fit(std::move(reached))};
+  return Reranker{fit(pools, -1, kBag), Confidence::fit(std::move(reached))};
 }
 
 }  // namespace goalnet::inference

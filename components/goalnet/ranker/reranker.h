@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "components/goalnet/ranker/boosted_trees.h"
+#include "components/goalnet/ranker/checkpoint.h"
 #include "components/goalnet/ranker/confidence.h"
 #include "components/goalnet/ranker/ranker.h"
 #include "components/goalnet/ranker/run_features.h"
@@ -22,16 +23,15 @@ struct Choice {
 Choice choose_run(const BoostedTrees& trees, const std::vector<CandidateRun>& pool,
                   const AgreementTable& table, const std::vector<RunFeatures>& features);
 
-// The run that a person did.
-CandidateRun demonstrated_run(const Example& example);
-
 struct Reranker {
   BoostedTrees trees;
   Confidence confidence;  // from choices by trees that had not seen the example's fold either
 };
 
 // Pools by rankers that had not seen the example's fold of scenarios, scored, and trees fitted to them.
-Reranker train_reranker(const std::vector<const Example*>& examples, const Lexicon& lexicon, bool grounding,
-                        const RankerOptions& options, const std::function<bool(double)>& progress = {});
+// `progress` (0..1): false stops. Errors: kCancelled, and those of the checkpoint.
+Expected<Reranker> train_reranker(const std::vector<const Example*>& examples, const Lexicon& lexicon,
+                                  bool grounding, const RankerOptions& options, Checkpoint& checkpoint,
+                                  const std::function<bool(double)>& progress = {});
 
 }  // namespace goalnet::inference

@@ -28,6 +28,16 @@ std::string hexadecimal(std::uint64_t value) {
   return text;
 }
 
+// All that decides the weights, as text: the checkpoint of anything else is not resumed.
+std::string identity_of(const std::string& data, const TrainingOptions& options) {
+  std::string text = "1 " + data + " " + to_json(options.ranker) + " " + std::to_string(kFeatureBuckets) +
+                     " " + std::to_string(kRunFeatures);
+  for (const std::string* language :
+       {&options.language.household, &options.language.english, &options.language.words})
+    text += " " + std::to_string(hash_text(*language));
+  return text;
+}
+
 }  // namespace
 
 Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations,
@@ -37,6 +47,8 @@ Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations,
   parts->known_words = vocabulary(demonstrations);
   parts->fingerprint = hexadecimal(fingerprint(demonstrations));
   parts->command = options.command;
+  auto checkpoint = Checkpoint::open(options.checkpoint, identity_of(parts->fingerprint, options));
+  if (!checkpoint) return tl::unexpected(checkpoint.error());
   const std::vector<Example> examples =
       make_examples(demonstrations, *parts->lexicon, *parts->language, parts->symbols);
   std::vector<const Example*> all;
@@ -54,19 +66,30 @@ Expected<RankerParts> train(const std::vector<Demonstration>& demonstrations,
       return !stopped;
     };
     Ranker& ranker = grounding ? parts->given : parts->none;
-    ranker = train_ranker(all, *parts->lexicon, grounding, options.ranker, [&](int epoch, double loss) {
-      return tell(
-          "ranker: epoch " + std::to_string(epoch + 1) + ", loss " + std::to_string(loss).substr(0, 6),
-          (epoch + 1.0) / options.ranker.training.epochs / 6);
-    });
-    if (options.rerank && !stopped) {
-      auto reranker = train_reranker(all, *parts->lexicon, grounding, options.ranker, [&](double part) {
-        return tell("re-ranker: candidate runs for unseen scenarios", 1.0 / 6 + part * 5 / 6);
+    const std::string stage = std::string(grounding ? "given" : "none") + ".policy";
+    const auto* known = checkpoint->find(stage);
+    if (known != nullptr && known->size() == kFeatureBuckets) {
+      ranker = untrained_ranker(all, grounding, options.ranker);
+      ranker.policy.weights() = *known;
+    } else {
+      ranker = train_ranker(all, *parts->lexicon, grounding, options.ranker, [&](int epoch, double loss) {
+        return tell(
+            "ranker: epoch " + std::to_string(epoch + 1) + ", loss " + std::to_string(loss).substr(0, 6),
+            (epoch + 1.0) / options.ranker.training.epochs / 6);
       });
-      ranker.reranker = std::move(reranker.trees);
-      ranker.confidence = std::move(reranker.confidence);
+      if (stopped) return fail(Outcome::kCancelled, "training was stopped");
+      if (auto kept = checkpoint->keep(stage, ranker.policy.weights()); !kept)
+        return tl::unexpected(kept.error());
     }
-    if (stopped) return fail(Outcome::kCancelled, "training was stopped");
+    if (options.rerank) {
+      auto reranker =
+          train_reranker(all, *parts->lexicon, grounding, options.ranker, *checkpoint, [&](double part) {
+            return tell("re-ranker: candidate runs for unseen scenarios", 1.0 / 6 + part * 5 / 6);
+          });
+      if (!reranker) return tl::unexpected(reranker.error());
+      ranker.reranker = std::move(reranker->trees);
+      ranker.confidence = std::move(reranker->confidence);
+    }
     base += 1 / settings;
   }
   if (options.progress) options.progress("done", 1);
