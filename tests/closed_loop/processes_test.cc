@@ -112,13 +112,19 @@ class Processes : public testing::Test {
     ASSERT_TRUE(running_.at("/" + component)->wait_for_text("is up", kLimit));
     loop_.run_for(std::chrono::seconds(1));
   }
-  void SetUp() override {
+  static auto newcomer() {
     ros::ContextOptions options;
     options.domain_id = kDomain;
-    context_ = ros::Context::create(options).value();
-    ros::NodeOptions node_options;
-    node_options.name = "person";
-    node_ = ros::Node::create(*context_, loop_, std::move(node_options)).value();
+    return ros::Context::create(options).value();
+  }
+  std::unique_ptr<ros::Node> person_node(ros::Context& context) {
+    ros::NodeOptions options;
+    options.name = "person";
+    return ros::Node::create(context, loop_, std::move(options)).value();
+  }
+  void SetUp() override {
+    context_ = newcomer();
+    node_ = person_node(*context_);
   }
   void TearDown() override {
     for (auto& [name, process] : running_) process->signal(SIGINT);
@@ -163,8 +169,13 @@ TEST_F(Processes, ALostPlannerIsNamedAndReplaced) {
   ASSERT_NO_FATAL_FAILURE(replace("planner"));
   lose("coordinator");  // idle, too
   ASSERT_NO_FATAL_FAILURE(replace("coordinator"));
-  ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
-  EXPECT_EQ(person.outcome(), 0) << person.last.message();
+  // Who was here before counts the dead coordinator as a listener until its lease ends; a newcomer finds only
+  // the living one.
+  const auto context = newcomer();
+  const auto node = person_node(*context);
+  Person later(*node, loop_, "");
+  ASSERT_NO_FATAL_FAILURE(later.ask_for(kTapOn));
+  EXPECT_EQ(later.outcome(), 0) << later.last.message();
 }
 
 TEST_F(Processes, WhatIsKilledInMotionEndsInAFaultAndTheRobotRests) {

@@ -113,8 +113,10 @@ TEST_F(Launch, KillsWhatDoesNotEnd) {
 patience: 0.2
 processes: {stubborn: {command: [sh, -c, "trap '' TERM; echo deaf; while true; do sleep 1; done"]}}
 )");
+  ASSERT_TRUE(launch->wait_for_text("started", 10s));
   ASSERT_TRUE(launch->wait_for_text("deaf", 10s));
   const int pid = pid_of(*launch, "stubborn");
+  ASSERT_GT(pid, 0);
   launch->signal(SIGINT);
   const ProcessResult result = launch->wait(20s);
   EXPECT_EQ(result.exit_code, 0);
