@@ -63,12 +63,15 @@ class Attacker {
   explicit Attacker(int domain) : watcher_(domain), context_(ros::make_context(domain)), random_(7) {}
 
   // Writers on everything that the node `name` listens to. Graph and clock are DDS's and everybody's.
-  void aim_at(const std::string& full_name) {
+  // `at_least`: how many there must be; a process that is still starting has fewer for a while.
+  void aim_at(const std::string& full_name, std::size_t at_least = 1) {
     std::vector<ros::SeenEndpoint> readers;
+    const auto limit = SteadyClock::now() + 30s;
     for (int quiet = 0; quiet < 10;) {  // until nothing new was discovered for a while
+      ASSERT_LT(SteadyClock::now(), limit) << full_name << " has only " << readers.size() << " readers";
       std::this_thread::sleep_for(50ms);
       auto now = watcher_.readers_of_others(context_->participant()->gid());
-      quiet = now.size() == readers.size() && !now.empty() ? quiet + 1 : 0;
+      quiet = now.size() == readers.size() && now.size() >= at_least ? quiet + 1 : 0;
       readers = std::move(now);
     }
     for (const auto& reader : readers) {
@@ -302,7 +305,7 @@ TEST(HostileRun, MalformedSamplesChangeNothing) {
   const auto undisturbed = result_of(Process(arguments, environment).wait(120s));
   Process run(arguments, environment);
   Attacker attacker(kDomain);
-  attacker.aim_at("the run");
+  attacker.aim_at("the run", 100);  // eight nodes' topics and services
   ASSERT_FALSE(HasFatalFailure());
   ASSERT_GT(attacker.topics("rt/").size(), 8u);
   int rounds = 0;
