@@ -38,7 +38,8 @@ class GoalModel {
   virtual ~GoalModel() = default;
 
   // The goal of the next step; empty when nothing is left to do. Fails with kNotUnderstood (message: why, and
-  // the nearest thing known) or kInvalidRequest (no state, sentence too long or not text).
+  // the nearest thing known), kUnknownObject (only a thing it names is not here; message: what is) or
+  // kInvalidRequest (no state, sentence too long or not text).
   Expected<Goal> infer(const StepInput& input);
 
   // A short name for traces: "ranker", "network".

@@ -18,6 +18,7 @@ bool one_of(const std::string& word, const std::array<std::string_view, N>& word
 constexpr std::array kParticles = {"on"sv,      "off"sv,   "up"sv,    "down"sv,    "out"sv,
                                    "away"sv,    "over"sv,  "in"sv,    "back"sv,    "around"sv,
                                    "through"sv, "aside"sv, "along"sv, "together"sv};
+constexpr std::array kDeterminers = {"the"sv, "a"sv, "an"sv, "my"sv, "some"sv, "your"sv};
 constexpr std::array kSubordinate = {"if"sv,     "unless"sv,    "when"sv,    "once"sv,     "after"sv,
                                      "before"sv, "while"sv,     "until"sv,   "because"sv,  "since"sv,
                                      "so"sv,     "where"sv,     "without"sv, "whenever"sv, "as"sv,
@@ -343,8 +344,15 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
       if (!clause.phrases.empty() && !reader_.starts(next, end) && !place_preposition(words_[next]) &&
-          !one_of(words_[next], kParticles) && !harmless(next) && !language_.known(words_[next]))
-        clause.unknown.push_back(words_[next]);
+          !one_of(words_[next], kParticles) && !harmless(next) && !language_.known(words_[next])) {
+        if (one_of(words_[next - 1], kDeterminers)) {  // "the mug and the torch": a thing
+          NounPhrase thing;
+          thing.role = role, thing.where = where, thing.word = words_[next], thing.unknown = true;
+          clause.phrases.push_back(std::move(thing));
+        } else {
+          clause.unknown.push_back(words_[next]);
+        }
+      }
       i = std::max(next, i + 1);
       continue;
     }
@@ -419,7 +427,8 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
   const auto state_here = [&] {
     return takes_state(clause.frame) && !clause.phrases.empty() &&
            language_.wanted_by_state(word) != Frame::kNone &&
-           !(place_preposition(word) && reader_.starts(i + 1, end)) && reader_.name_length(i) == 0;
+           !((place_preposition(word) || word == "off") && reader_.starts(i + 1, end)) &&
+           reader_.name_length(i) == 0;
   };
   if (state_here() &&
       !(word == "on" && clause.frame == Frame::kPlace && clause.verb != "leave" && clause.verb != "keep") &&

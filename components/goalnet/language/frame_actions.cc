@@ -9,6 +9,8 @@ namespace {
 
 using namespace symbol;
 
+constexpr int kMostExamples = 5;
+
 bool contains(const std::vector<Symbol>& list, Symbol symbol) {
   return std::find(list.begin(), list.end(), symbol) != list.end();
 }
@@ -18,7 +20,7 @@ bool contains(const std::vector<Symbol>& list, Symbol symbol) {
 std::string FrameActions::unknown_thing(const NounPhrase& phrase, Sort sort) const {
   if (phrase.pronoun)
     return "it is not clear what \"" + (phrase.word.empty() ? "it" : phrase.word) + "\" means here";
-  if (phrase.unknown) return language_.unknown_word(phrase.word);
+  if (phrase.unknown) return unknown_name(phrase.word);
   if (phrase.bare()) return "it is not clear what is meant";
   const std::string said = phrase.word.empty() ? phrase.phrase : phrase.word;
   if (!resolver_.named(phrase).empty()) {
@@ -43,7 +45,30 @@ std::string FrameActions::unknown_thing(const NounPhrase& phrase, Sort sort) con
   int count = 0;
   for (const Symbol object : resolver_.all(sort, now_))
     if (count++ < 3) examples += (examples.empty() ? "" : ", ") + resolver_.name(object);
-  return "there is no " + said + " here" + (examples.empty() ? "" : "; there are, for example, " + examples);
+  return not_here("there is no " + said + " here" +
+                  (examples.empty() ? "" : "; there are, for example, " + examples));
+}
+
+std::string FrameActions::not_here(Problem problem) const {
+  missing_ = problem;
+  return problem;
+}
+
+// A name that no thing of any world has. Of an English word it is known what kind of thing that would be:
+// milk is a drink, so the drinks that are here are told; of others the nearest in spelling.
+std::string FrameActions::unknown_name(const std::string& word) const {
+  const std::string kind = language_.kind_of(word);
+  if (kind.empty()) return not_here(language_.unknown_word(word));
+  std::string examples;
+  int count = 0;
+  for (const SeenObject& object : resolver_.objects()) {
+    const ObjectClass* c = resolver_.class_of(object.symbol);
+    if (c == nullptr || !c->is(kind) || count++ >= kMostExamples) continue;
+    examples += (examples.empty() ? "" : ", ") + resolver_.name(object.symbol);
+  }
+  return not_here("there is no " + word + " here" +
+                  (examples.empty() ? ", nor any other " + kind
+                                    : "; of the same kind (" + kind + ") there are " + examples));
 }
 
 void FrameActions::remember(const Objects& objects) {
@@ -292,7 +317,7 @@ std::string FrameActions::check_forbidden(const Clause& clause, const SymState& 
 std::string FrameActions::add(const Clause& clause) {
   if (!clause.unknown.empty()) return language_.unknown_word(clause.unknown.front());
   for (const NounPhrase& phrase : clause.phrases)
-    if (phrase.unknown) return language_.unknown_word(phrase.word);
+    if (phrase.unknown) return unknown_name(phrase.word);
   for (const Clause& condition : clause.condition) {
     Problem problem;
     const bool so = holds(condition, problem);

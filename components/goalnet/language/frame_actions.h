@@ -22,6 +22,10 @@ class FrameActions {
 
   // Adds what the clause asks for; otherwise adds nothing and says why not, in one sentence.
   std::string add(const Clause& clause);
+  // Whether `problem`, as add() said it, is that a thing spoken of is not here or not known.
+  bool names_missing_thing(const std::string& problem) const {
+    return !missing_.empty() && problem == missing_;
+  }
   // Takes note of what a statement or question is about: "it" means that from here on.
   void notice(const Clause& clause);
   // What a forbidden clause would do must not be among the actions; says which is.
@@ -46,6 +50,8 @@ class FrameActions {
   Symbol burner_for(Symbol object) const;
   Symbol surface() const;  // where things go that have to go somewhere
   Problem unknown_thing(const NounPhrase& phrase, Sort sort) const;
+  Problem unknown_name(const std::string& word) const;
+  Problem not_here(Problem problem) const;  // takes note: a thing is missing
   void remember(const Objects& objects);
   Problem act(const SymAction& macro);
   Problem keep(Symbol x, Symbol y, Where where);
@@ -96,6 +102,7 @@ class FrameActions {
   std::vector<SymDelta> steps_;
   std::vector<Objects> history_;  // what "it" may mean, the newest last
   Objects last_destination_;      // what "there" means
+  mutable Problem missing_;       // the last that said so; see names_missing_thing()
   bool moves_ = false;            // "move", "carry": to another place than where it is
   Objects avoid_;                 // places: what stands there already is not what should be put there
 };

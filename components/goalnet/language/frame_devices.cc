@@ -125,6 +125,10 @@ std::string FrameActions::turn(const Clause& clause, int on) {
       } else if (devices.size() > 1) {
         devices = resolver_.chosen(phrase, devices);
       }
+      // "start a game on the xbox"
+      if (devices.empty() && on == 1 && clause.frame == Frame::kStart && !resolver_.named(phrase).empty() &&
+          resolver_.is_of_class(resolver_.named(phrase).front(), "cd"))
+        return play(clause);
       // "turn on the kettle" heats it
       if (devices.empty() && on == 1 && !resolver_.named(phrase).empty() &&
           resolver_.is_of_class(resolver_.named(phrase).front(), "kettle"))
@@ -260,7 +264,7 @@ bool FrameActions::about_television(const Clause& clause) const {
 }
 
 std::string FrameActions::television(const Clause& clause) {
-  if (!resolver_.exists(kTv_1)) return "there is no television here";
+  if (!resolver_.exists(kTv_1)) return not_here("there is no television here");
   if (!about_television(clause)) return "it is not clear what to " + clause.verb;
   const bool down = clause.has("down") || clause.has("previous") || clause.has("lower") ||
                     clause.has("back") || clause.has("last") || clause.has("before") ||
@@ -276,9 +280,14 @@ std::string FrameActions::television(const Clause& clause) {
                          std::find(named.begin(), named.end(), Symbol{kTv_1Remote_1}) == named.end());
   }
   if (other_things) return "it is not clear what to " + clause.verb;
+  const bool channels = clause.has("channel") || clause.frame == Frame::kChange;
+  const bool quiet = down || clause.frame == Frame::kMute || clause.has_particle("off");
+  if (!channels && quiet && !is_on(kTv_1)) {  // it is silent already
+    remember({Symbol{kTv_1}});
+    return {};
+  }
   if (const Problem problem = turn_on(kTv_1, true, 0); !problem.empty()) return problem;
   remember({Symbol{kTv_1}});
-  const bool channels = clause.has("channel") || clause.frame == Frame::kChange;
   if (channels) {
     int now = 0;
     for (int i = 1; i <= kChannels; ++i)
@@ -294,7 +303,6 @@ std::string FrameActions::television(const Clause& clause) {
         return problem;
     return {};
   }
-  const bool quiet = down || clause.frame == Frame::kMute || clause.has_particle("off");
   if (now_.is(kTv_1, kVolume) != quiet) return {};
   return act({Verb::kPress, quiet ? Symbol{kTv_1VolumeDownButton} : Symbol{kTv_1VolumeUpButton}});
 }

@@ -14,7 +14,7 @@ constexpr int kMostScoops = 5;
 
 std::string FrameActions::fill_with_water(Symbol vessel) {
   if (now_.is(vessel, kWater)) return {};
-  if (!resolver_.exists(kSink)) return "there is no tap here to take water from";
+  if (!resolver_.exists(kSink)) return not_here("there is no tap here to take water from");
   if (!now_.has(Relation::kOn, vessel, kSink))
     if (const Problem problem = act({Verb::kKeepOn, vessel, kSink}); !problem.empty()) return problem;
   if (now_.is(vessel, kWater)) return {};
@@ -95,6 +95,10 @@ std::string FrameActions::pour(const Clause& clause) {
     if (!shaken.empty() && (shaken.front() == kSalt_1 || now_.has(Relation::kIsSqueezeable, shaken.front()) ||
                             shaken.front() == kRamen_1 || shaken.front() == kBoiledEgg_1))
       return add_to(clause);
+    // "pour the chips into the bowl": what is no liquid is put there
+    if (!shaken.empty() && content == kNone && resolver_.class_of(shaken.front())->food &&
+        !resolver_.is_vessel(shaken.front()))
+      return put(clause);
   }
   Objects targets;
   if (destination != nullptr) {
@@ -190,7 +194,7 @@ std::string FrameActions::empty(const Clause& clause) {
 
 std::string FrameActions::wash(const Clause& clause) {
   Problem problem;
-  if (!resolver_.exists(kSink)) return "there is no sink here";
+  if (!resolver_.exists(kSink)) return not_here("there is no sink here");
   const auto objects = direct(clause, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
   for (const Symbol object : objects) {
@@ -235,7 +239,7 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
     if (vessel == kNone)
       for (const Symbol option : resolver_.all(Sort::kVessel, now_))
         if (resolver_.is_of_class(option, "kettle")) vessel = option;
-    if (vessel == kNone) return "there is no pot here to heat it in";
+    if (vessel == kNone) return not_here("there is no pot here to heat it in");
     if (problem = fill_with_water(vessel); !problem.empty()) return problem;
     objects = {vessel};
     remember(objects);
@@ -258,7 +262,7 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
       if (phrase.role == Role::kDestination && !phrase.pronoun && !phrase.bare())
         if (const auto options = resolver_.options(phrase, Sort::kVessel, now_); !options.empty())
           pot = options.front();
-    if (pot == kNone) return "there is no pot here to heat it in";
+    if (pot == kNone) return not_here("there is no pot here to heat it in");
     if (problem = fill_with_water(pot); !problem.empty()) return problem;
     for (const Symbol object : objects)
       if (problem = keep(object, pot, Where::kIn); !problem.empty()) return problem;
@@ -283,7 +287,7 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
 
 std::string FrameActions::heat_objects(const Objects& objects, bool microwave, const NounPhrase* where) {
   Problem problem;
-  if (microwave && !resolver_.exists(kMicrowave)) return "there is no microwave here";
+  if (microwave && !resolver_.exists(kMicrowave)) return not_here("there is no microwave here");
   if (microwave) {
     for (const Symbol object : objects)
       if (problem = keep(object, kMicrowave, Where::kIn); !problem.empty()) return problem;
@@ -298,7 +302,7 @@ std::string FrameActions::heat_objects(const Objects& objects, bool microwave, c
       if (!problem.empty()) return problem;
       burner = said.front();
     }
-    if (burner == kNone) return "there is no stove here";
+    if (burner == kNone) return not_here("there is no stove here");
     if (!now_.has(Relation::kOn, object, burner))
       if (problem = act({Verb::kKeepOn, object, burner}); !problem.empty()) return problem;
     if (problem = turn_on(burner, true, 0); !problem.empty()) return problem;
@@ -422,7 +426,7 @@ std::string FrameActions::add_to(const Clause& clause) {
 
 std::string FrameActions::scoop_into(Symbol target, int times) {
   Symbol source = resolver_.ice_cream();
-  if (source == kNone || !resolver_.exists(kSpoon_1)) return "there is nothing here to scoop";
+  if (source == kNone || !resolver_.exists(kSpoon_1)) return not_here("there is nothing here to scoop");
   for (int i = 0; i < std::min(times, kMostScoops); ++i) {
     if (!now_.is(kSpoon_1, kScoopsLeft)) {
       if (!now_.is(source, kScoopsLeft)) return "no ice cream is left";
@@ -524,24 +528,24 @@ std::string FrameActions::make(const Clause& clause) {
                           nullptr);
     case kCoffee:
       if (vessel == kNone) vessel = vessel_with(kCoffee);
-      if (vessel == kNone) return "there is no coffee here";
+      if (vessel == kNone) return not_here("there is no coffee here");
       remember({vessel});
       if (problem = fill_one(vessel, kCoffee); !problem.empty()) return problem;
       if (hot) return heat_objects({vessel}, resolver_.exists(kMicrowave), nullptr);
       return now_.holds(vessel) ? Problem{} : act({Verb::kGrasp, vessel});
     case kIceCream:
       if (vessel == kNone) vessel = of_class("bowl");
-      if (vessel == kNone) return "there is no bowl here";
+      if (vessel == kNone) return not_here("there is no bowl here");
       remember({vessel});
       problem = scoop_into(vessel, std::max(thing->count, 1));
       break;
     case kRamen:
     case kEgg: {
       if (vessel == kNone) vessel = of_class("kettle");
-      if (vessel == kNone) return "there is no pot here to heat it in";
+      if (vessel == kNone) return not_here("there is no pot here to heat it in");
       remember({vessel});
       const Symbol food = content == kRamen ? Symbol{kRamen_1} : Symbol{kBoiledEgg_1};
-      if (!resolver_.exists(food)) return "there is no " + thing->word + " here";
+      if (!resolver_.exists(food)) return not_here("there is no " + thing->word + " here");
       if (problem = fill_with_water(vessel); !problem.empty()) return problem;
       if (problem = keep(food, vessel, Where::kIn); !problem.empty()) return problem;
       problem = heat_objects(

@@ -35,9 +35,10 @@ std::string FrameActions::take(const Clause& clause) {
     if (language_.tv_word(phrase.phrase) && phrase.role == Role::kDirect)
       return television(clause);  // "give me channel 5"
   }
-  // "I want the book on the shelf": put it there, unless that says which
+  // "I want the book on the shelf", "gather the pillows on the couch": put it there, unless that says which
+  const bool there_or_which = clause.wish || clause.verb == "gather" || clause.verb == "collect";
   if (const NounPhrase* thing = clause.first(Role::kDirect);
-      clause.wish && thing != nullptr && !thing->at.empty() && !thing->everything) {
+      there_or_which && thing != nullptr && !thing->at.empty() && !thing->everything) {
     const int loose = resolver_.doubts().loose;
     const auto there = resolver_.options(*thing, Sort::kMovable, now_);
     const bool content = language_.content(thing->phrase) != kNone && there.empty();
@@ -216,6 +217,10 @@ std::string FrameActions::put(const Clause& said) {
   if (content != kNone && into_dish && thing->content.empty()) {
     if (content == kWater || content == kCoffee) return with_the_rest(pour(clause));
     if (content == kIceCream) return with_the_rest(scoop(clause));
+    // "serve coke in a glass": a can does not go into a glass, what it holds does
+    const bool drink = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
+    if (drink && destination->where != Where::kOn && destination->where != Where::kNear)
+      return with_the_rest(pour(clause));
     if (content == kSalt || content == kChocolate || content == kVanilla || content == kRamen ||
         content == kEgg || thing->some) {
       Clause only = clause;
@@ -326,7 +331,7 @@ std::string FrameActions::discard(const Clause& clause) {
   const NounPhrase* thing = clause.first(Role::kDirect);
   const Symbol bin = resolver_.exists(kGarbageBin_1) ? Symbol{kGarbageBin_1} : Symbol{kNone};
   if (bin == kNone && content != kNone && thing != nullptr) return pour(clause);
-  if (bin == kNone) return "there is no bin here to throw things into";
+  if (bin == kNone) return not_here("there is no bin here to throw things into");
   Problem problem;
   const auto objects = direct(clause, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
@@ -408,7 +413,10 @@ std::string FrameActions::swap(const Clause& clause) {
   if (at_a == kNone || at_b == kNone) return "it is not known where both of them stand";
   const Where to_a = now_.has(Relation::kIn, a, at_a) ? Where::kIn : Where::kOn;
   const Where to_b = now_.has(Relation::kIn, b, at_b) ? Where::kIn : Where::kOn;
-  if (at_a == at_b) return {};
+  // Where on a place things stand is not known: nothing would tell that they were swapped.
+  if (at_a == at_b)
+    return resolver_.name(a) + " and " + resolver_.name(b) + " are both at " + resolver_.name(at_a) +
+           "; only things at two places can be swapped";
   remember(two);
   if (problem = act({Verb::kGrasp, a}); !problem.empty()) return problem;
   if (problem = keep(b, at_a, to_a); !problem.empty()) return problem;
@@ -441,10 +449,12 @@ std::string FrameActions::clear(const Clause& clause) {
   if (contains(options, target)) target = kNone;
   for (const SeenObject& other : resolver_.objects())
     if (target == kNone && resolver_.class_of(other.symbol)->place && !contains(options, other.symbol) &&
+        other.symbol != kFridge && other.symbol != kMicrowave && other.symbol != kSink &&
         !now_.has(Relation::kIsGraspable, other.symbol) && !resolver_.is_of_class(other.symbol, "burner"))
       target = other.symbol;
   if (const NounPhrase* to = clause.first(Role::kDestination); to != nullptr) return put(clause);
-  if (target == kNone) return "there is no other place to put things";
+  if (target == kNone)
+    return "it is not clear where to put what is there; say for example \"put everything in the sink\"";
   for (const Symbol object : there)
     if (const Problem problem = keep(object, target, Where::kOn); !problem.empty()) return problem;
   remember(there);
@@ -452,7 +462,7 @@ std::string FrameActions::clear(const Clause& clause) {
 }
 
 std::string FrameActions::cool(const Clause& clause) {
-  if (!resolver_.exists(kFridge)) return "there is no fridge here";
+  if (!resolver_.exists(kFridge)) return not_here("there is no fridge here");
   Problem problem;
   const auto objects = direct(clause, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
@@ -467,7 +477,7 @@ std::string FrameActions::cool(const Clause& clause) {
 }
 
 std::string FrameActions::play(const Clause& clause) {
-  if (!resolver_.exists(resolver_.xbox())) return "there is no console here to play on";
+  if (!resolver_.exists(resolver_.xbox())) return not_here("there is no console here to play on");
   Symbol disc = kNone;
   for (const NounPhrase& phrase : clause.phrases)
     if (!phrase.pronoun && !phrase.bare() && !phrase.everything)
@@ -475,7 +485,7 @@ std::string FrameActions::play(const Clause& clause) {
         if (disc == kNone && resolver_.is_of_class(option, "cd")) disc = option;
   for (const SeenObject& object : resolver_.objects())
     if (disc == kNone && resolver_.is_of_class(object.symbol, "cd")) disc = object.symbol;
-  if (disc == kNone) return "there is no disc here to play";
+  if (disc == kNone) return not_here("there is no disc here to play");
   if (const Problem problem = turn_on(kTv_1, true, 0); !problem.empty()) return problem;
   return keep(disc, resolver_.xbox(), Where::kIn);
 }

@@ -62,6 +62,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
     return result;
   }
   FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances);
+  std::size_t missing = 0;
   for (const Clause& clause : sentence.clauses) {
     if (clause.mood == Mood::kStatement || clause.mood == Mood::kQuestion) {
       actions.notice(clause);
@@ -73,7 +74,10 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       continue;
     }
     ++result.clauses;
-    if (const std::string problem = actions.add(clause); !problem.empty()) result.problems.push_back(problem);
+    if (const std::string problem = actions.add(clause); !problem.empty()) {
+      result.problems.push_back(problem);
+      missing += actions.names_missing_thing(problem);
+    }
   }
   for (const Clause& clause : sentence.clauses)
     if (clause.mood == Mood::kForbidden)
@@ -84,6 +88,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
   result.steps = actions.steps();
   result.doubts = actions.resolver().doubts();
   result.complete = result.problems.empty();
+  result.unknown_thing = missing > 0 && missing == result.problems.size();
   return result;
 }
 

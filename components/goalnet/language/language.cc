@@ -126,7 +126,24 @@ void Language::collect_vocabulary() {
   vocabulary_.erase(std::unique(vocabulary_.begin(), vocabulary_.end()), vocabulary_.end());
 }
 
+// "a notch", "by two touches", "just a tad": how much more or less; nothing here has steps that could be
+// told. The words are known, but no typing error is mended to one.
+void Language::add_degrees(const std::vector<std::string>& units) {
+  for (const std::string& unit : units)
+    for (const std::string& word : {unit, unit + "s", unit + "es"}) {
+      seen_.insert(word);
+      for (const std::string by : {"", "by "})
+        for (const std::string count :
+             {"just a ", "just one ", "a wee ", "a little ", "a ", "one ", "another ", "two ", "three ",
+              "a few ", "a couple of ", "a couple ", "some "}) {
+          Rewrite rewrite{split_words(by + count + word), {}};
+          rewrites_[rewrite.from.front()].push_back(std::move(rewrite));
+        }
+    }
+}
+
 Expected<void> Language::add_english(std::string_view text, const std::string& name) {
+  std::vector<std::string> degrees;
   try {
     const json file = json::parse(text);
     for (const auto& [frame_name, words] : file.at("verbs").items()) {
@@ -156,13 +173,15 @@ Expected<void> Language::add_english(std::string_view text, const std::string& n
         return fail(Outcome::kInvalidRequest, name + ": 'rewrites' has an empty phrase");
       rewrites_[rewrite.from.front()].push_back(std::move(rewrite));
     }
+    degrees = file.value("degrees", degrees);  // older models have none
   } catch (const json::exception& error) {
     return fail(Outcome::kInvalidRequest, name + ": " + error.what());
   }
+  collect_vocabulary();
+  add_degrees(degrees);
   for (auto& [first, list] : rewrites_)
     std::stable_sort(list.begin(), list.end(),
                      [](const Rewrite& a, const Rewrite& b) { return a.from.size() > b.from.size(); });
-  collect_vocabulary();
   return {};
 }
 
@@ -176,6 +195,23 @@ Expected<void> Language::add_other_words(std::string_view text, const std::strin
   } catch (const json::exception& error) {
     return fail(Outcome::kInvalidRequest, name + ": " + error.what());
   }
+  return {};
+}
+
+Expected<void> Language::add_kinds(std::string_view text, const std::string& name) {
+  try {
+    const json file = json::parse(text);
+    for (const auto& [kind, words] : file.at("kinds").items())
+      for (const auto& word : words) kinds_.try_emplace(word.get<std::string>(), kind);
+  } catch (const json::exception& error) {
+    return fail(Outcome::kInvalidRequest, name + ": " + error.what());
+  }
+  return {};
+}
+
+std::string Language::kind_of(const std::string& word) const {
+  for (const std::string& form : {word, singular(word)})
+    if (const auto it = kinds_.find(form); it != kinds_.end()) return it->second;
   return {};
 }
 
@@ -377,7 +413,9 @@ std::string Language::unknown_word(const std::string& word) const {
 }
 
 std::string Language::nearest(const std::string& word) const {
-  int best = 1 + static_cast<int>(word.size()) / 2;
+  // Letters say nothing of an English word that is merely unknown here.
+  if (real_word(word) || !kind_of(word).empty()) return {};
+  int best = 1 + static_cast<int>(word.size() + 1) / 3;
   std::string choice;
   for (const std::string& candidate : vocabulary_) {
     if (verb(candidate) == Frame::kNone && !lexicon_->is_word_of_name(singular(candidate))) continue;

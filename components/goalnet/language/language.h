@@ -67,6 +67,8 @@ class Language {
   // kInvalidRequest.
   Expected<void> add_english(std::string_view json, const std::string& name);
   Expected<void> add_other_words(std::string_view json, const std::string& name);
+  // Adds what kinds of things English words name (config/language/kinds.json). Fails with kInvalidRequest.
+  Expected<void> add_kinds(std::string_view json, const std::string& name);
 
   Frame verb(const std::string& word) const;             // of any form: "filling", "taken"
   std::string verb_base(const std::string& word) const;  // "filling" -> "fill"
@@ -108,6 +110,8 @@ class Language {
   std::string nearest(const std::string& word) const;
   // What to tell a person about a word that is not known, with the nearest known one where there is one.
   std::string unknown_word(const std::string& word) const;
+  // What kind of thing an English word names that no thing here has: "milk" -> "drink"; empty where unknown.
+  std::string kind_of(const std::string& word) const;
   // Words that training saw in instructions: known, though no verb and no name.
   void add_known(const std::string& word) { seen_.insert(word); }
   // Another word for a known one ("deposit" -> "put"), from WordNet; the word itself where there is none.
@@ -118,6 +122,7 @@ class Language {
     std::vector<std::string> from, to;
   };
   void collect_vocabulary();
+  void add_degrees(const std::vector<std::string>& units);
 
   std::vector<std::string> vocabulary_;  // sorted; what typing errors are corrected to
   std::unordered_map<std::string, Frame> verbs_;
@@ -127,7 +132,7 @@ class Language {
   std::unordered_map<std::string, StateWord> states_;
   std::unordered_map<std::string, std::vector<std::string>> wishes_;
   std::unordered_map<std::string, std::vector<Rewrite>> rewrites_;  // by first word, longest first
-  std::unordered_map<std::string, std::string> synonyms_;
+  std::unordered_map<std::string, std::string> synonyms_, kinds_;
   const Lexicon* lexicon_ = nullptr;
 };
 

@@ -22,10 +22,10 @@ Expected<std::string> text_of(const std::string& path) {
 
 Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   std::unique_ptr<RobotLanguage> robot(new RobotLanguage(symbols));
-  constexpr int kFiles = 4;
+  constexpr int kFiles = 5;
   std::string texts[kFiles], paths[kFiles];
   const char* names[kFiles] = {"language/household.json", "language/english.json", "language/words.json",
-                               "language/confidence.json"};
+                               "language/confidence.json", "language/kinds.json"};
   for (int i = 0; i < kFiles; ++i) {
     paths[i] = config_path(names[i]);
     auto text = text_of(paths[i]);
@@ -43,6 +43,8 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   if (auto added = robot->language_->add_english(texts[1], paths[1]); !added)
     return tl::unexpected(added.error());
   if (auto added = robot->language_->add_other_words(texts[2], paths[2]); !added)
+    return tl::unexpected(added.error());
+  if (auto added = robot->language_->add_kinds(texts[4], paths[4]); !added)
     return tl::unexpected(added.error());
   auto confidence = ReadingConfidence::parse(texts[3], paths[3]);
   if (!confidence) return tl::unexpected(confidence.error());

@@ -11,8 +11,8 @@ namespace goalnet::inference {
 
 class RobotLanguage {
  public:
-  // Reads household.json, english.json, words.json and confidence.json. Fails with kInvalidRequest: which
-  // file, what is wrong.
+  // Reads household.json, english.json, words.json, confidence.json and kinds.json. Fails with
+  // kInvalidRequest: which file, what is wrong.
   static Expected<std::unique_ptr<RobotLanguage>> load(Symbols& symbols);
 
   struct Reading {

@@ -128,9 +128,9 @@ RankerModel::Decoded RankerModel::decode_robot(const StepInput& input, const std
   const Understanding& understanding = reading.understanding;
   if (!understanding.complete) {
     decoded.refused = true;
-    decoded.refusal = {Outcome::kNotUnderstood, understanding.problems.empty()
-                                                    ? "nothing here can be done about that"
-                                                    : understanding.problems.front()};
+    decoded.refusal = {understanding.unknown_thing ? Outcome::kUnknownObject : Outcome::kNotUnderstood,
+                       understanding.problems.empty() ? "nothing here can be done about that"
+                                                      : understanding.problems.front()};
     return decoded;
   }
   if (understanding.macros.empty()) return decoded;  // all of it holds already

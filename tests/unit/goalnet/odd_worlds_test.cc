@@ -37,7 +37,7 @@ TEST_F(OddWorlds, NoStateIsRefused) {
             Outcome::kInvalidRequest);
 }
 
-TEST_F(OddWorlds, NoObjects) { EXPECT_EQ(ask("grab the mug", {}).error().outcome, Outcome::kNotUnderstood); }
+TEST_F(OddWorlds, NoObjects) { EXPECT_EQ(ask("grab the mug", {}).error().outcome, Outcome::kUnknownObject); }
 
 TEST_F(OddWorlds, EmptyInstruction) {
   for (const char* text : {"", "   ", ".", "!!!"})
