@@ -171,6 +171,12 @@ std::string FrameActions::empty(const Clause& clause) {
   if (destination != nullptr && !destination->pronoun && !destination->bare() &&
       !resolver_.options(*destination, Sort::kVessel, now_).empty())
     return pour(clause);
+  // "dump the trash bag into the bin": what is no vessel goes there as it is
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      destination != nullptr && thing != nullptr && !thing->pronoun && !thing->bare() && !thing->everything &&
+      resolver_.options(*thing, Sort::kVessel, now_).empty() &&
+      !resolver_.options(*thing, Sort::kMovable, now_).empty())
+    return put(clause);
   // "empty the shelf"
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       thing != nullptr && !thing->pronoun && !thing->bare() &&
