@@ -131,13 +131,19 @@ const LiteralPattern* find_toggle(const CompiledSchema& schema) {
 }
 
 CompiledSchema assume(const CompiledSchema& schema, LiteralPattern literal) {
-  CompiledSchema result = schema;
-  result.effects.clear();
-  for (CompiledEffect effect : schema.effects) {
-    auto& fluent = effect.condition.fluent;
-    if (std::any_of(fluent.begin(), fluent.end(), [&](const auto& l) { return opposite(l, literal); })) continue;
-    std::erase_if(fluent, [&](const auto& l) { return same(l, literal); });
-    result.effects.push_back(std::move(effect));
+  CompiledSchema result;
+  result.action = schema.action;
+  result.parameter_count = schema.parameter_count;
+  result.slots = schema.slots;
+  result.fixed = schema.fixed;
+  result.precondition = schema.precondition;
+  result.cost = schema.cost;
+  result.effects.reserve(schema.effects.size());
+  for (const CompiledEffect& effect : schema.effects) {
+    const auto& known = effect.condition.fluent;
+    if (std::any_of(known.begin(), known.end(), [&](const auto& l) { return opposite(l, literal); })) continue;
+    result.effects.push_back(effect);
+    std::erase_if(result.effects.back().condition.fluent, [&](const auto& l) { return same(l, literal); });
   }
   auto& fluent = result.precondition.fluent;
   if (std::none_of(fluent.begin(), fluent.end(), [&](const auto& l) { return same(l, literal); })) {
@@ -155,10 +161,10 @@ bool contradictory(const Condition& condition) {
   return false;
 }
 
-void split_toggles(const CompiledSchema& schema, std::size_t budget, std::vector<CompiledSchema>* result) {
+void split_toggles(CompiledSchema schema, std::size_t budget, std::vector<CompiledSchema>* result) {
   const LiteralPattern* toggle = budget == 0 ? nullptr : find_toggle(schema);
   if (toggle == nullptr) {
-    if (!schema.effects.empty() && !contradictory(schema.precondition)) result->push_back(schema);
+    if (!schema.effects.empty() && !contradictory(schema.precondition)) result->push_back(std::move(schema));
     return;
   }
   LiteralPattern literal = *toggle;
@@ -272,7 +278,7 @@ class Compiler {
       rename(place, &effect.atom);
       add_effect(std::move(effect), &schema);
     }
-    split_toggles(schema, kMostToggles, &compiled_.schemas);
+    split_toggles(std::move(schema), kMostToggles, &compiled_.schemas);
   }
 
   void add_effect(FlatEffect effect, CompiledSchema* schema) {

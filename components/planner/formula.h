@@ -1,18 +1,21 @@
 // What the parser makes of conditions and effects: plain trees, close to the text.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 namespace goalnet::planner {
 
-using ObjectId = std::int32_t;     // constants of the domain come first, then objects of the problem
+using ObjectId = std::int32_t;  // constants of the domain come first, then objects of the problem
 using PredicateId = std::int32_t;
-using TypeId = std::int32_t;       // 0 is "object", the root
+using TypeId = std::int32_t;          // 0 is "object", the root
 using TypeSet = std::vector<TypeId>;  // "(either a b)": any of them; never empty
 
-// An object, or a variable by its slot. Parameters of an action have the first slots, quantified variables the
-// following ones, so that one array of objects binds them all.
+// An object, or a variable by its slot. Parameters of an action have the first slots, quantified variables
+// the following ones, so that one array of objects binds them all.
 struct Term {
   std::int32_t value = 0;
 
@@ -24,9 +27,41 @@ struct Term {
   bool operator==(const Term&) const = default;
 };
 
+// The arguments of an atom, in place: patterns are copied by the thousand while a domain is compiled.
+class TermList {
+ public:
+  static constexpr std::size_t kMost = 16;  // the parser refuses predicates with more
+
+  TermList() = default;
+  TermList(std::initializer_list<Term> terms) {
+    for (const Term term : terms) push_back(term);
+  }
+  void push_back(Term term) { terms_[size_++] = term; }
+  void clear() { size_ = 0; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  Term& operator[](std::size_t i) { return terms_[i]; }
+  Term operator[](std::size_t i) const { return terms_[i]; }
+  Term* begin() { return terms_.data(); }
+  Term* end() { return terms_.data() + size_; }
+  const Term* begin() const { return terms_.data(); }
+  const Term* end() const { return terms_.data() + size_; }
+  bool operator==(const TermList& other) const {
+    if (size_ != other.size_) return false;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (!(terms_[i] == other.terms_[i])) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::array<Term, kMost> terms_{};
+  std::uint32_t size_ = 0;
+};
+
 struct AtomPattern {
   PredicateId predicate = 0;
-  std::vector<Term> arguments;
+  TermList arguments;
   bool operator==(const AtomPattern&) const = default;
 };
 

@@ -1,14 +1,17 @@
-// Grounds lazily, backwards from the goal: literals that are needed bring in the actions that produce them, whose
-// preconditions are needed in turn. What the goal cannot need is never looked at, so that a thousand objects in the
-// room cost nothing when the goal is about one mug.
+// Grounds lazily, backwards from the goal: literals that are needed bring in the actions that produce them,
+// whose preconditions are needed in turn. What the goal cannot need is never looked at, so that a thousand
+// objects in the room cost nothing when the goal is about one mug.
 //
-// Exact: a cheapest plan of the ground task is a cheapest plan of the problem. Actions that destroy a needed literal
-// only under a condition make the opposite of the condition needed as well, because a plan may have to protect it.
+// Exact: a cheapest plan of the ground task is a cheapest plan of the problem. Actions that destroy a needed
+// literal only under a condition make the opposite of the condition needed as well, because a plan may have
+// to protect it.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "components/planner/attainable.h"
+#include "components/planner/binder.h"
 #include "components/planner/budget.h"
 #include "components/planner/compiled_domain.h"
 #include "components/planner/ground_task.h"
@@ -25,8 +28,8 @@ class Grounder {
   enum class Result { kDone, kStopped, kTooLarge };
 
   // `goal` in normal form, its quantified variables of the types `goal_slots`.
-  Result ground(ProblemIndex& index, const Formula& goal, const std::vector<TypeSet>& goal_slots, Budget& budget,
-                GroundTask& task);
+  Result ground(ProblemIndex& index, const Formula& goal, const std::vector<TypeSet>& goal_slots,
+                Budget& budget, GroundTask& task);
 
  private:
   struct RawEffect {
@@ -44,13 +47,9 @@ class Grounder {
   void produce(Literal literal);
   void produce(const EffectReference& reference, Literal literal);
   void define(Literal literal);
-  bool bind_fixed(const CompiledSchema& schema);
-  bool bind(const CompiledSchema& schema, std::int32_t slot, ObjectId object);
-  bool unify(const CompiledSchema& schema, const AtomPattern& pattern, AtomRef atom);
-  // Binds the slots still open in every way that the static facts allow, and calls visit().
   template <class Visit>
-  void bind_open(const CompiledSchema& schema, const CompiledEffect* effect, bool parameters, const Visit& visit);
-  bool static_part_holds(const Condition& condition) const;
+  void bind_open(const CompiledSchema& schema, const CompiledEffect& effect, bool parameters,
+                 const Visit& visit);
   std::int32_t action_for(std::int32_t schema, bool create);
   bool instantiate(const Condition& condition, std::vector<ConditionId>* result);
   Value instantiate(const Formula& formula);
@@ -58,7 +57,8 @@ class Grounder {
   Literal literal_for(const AtomPattern& pattern, bool negative);
   void need(ConditionId condition);
   void need_opposite(ConditionId condition);
-  void add_effect(std::int32_t action, const CompiledEffect& effect, Literal literal, std::vector<RawEffect>* effects);
+  void add_effect(std::int32_t action, const CompiledEffect& effect, Literal literal,
+                  std::vector<RawEffect>* effects);
   void gather_side_effects();
   void gather(const EffectReference& reference, Literal literal);
   void finish();
@@ -71,16 +71,29 @@ class Grounder {
   const std::vector<TypeSet>* slots_ = nullptr;  // types of the variables at hand
   bool stopped_ = false, too_large_ = false;
 
-  std::vector<ObjectId> binding_;            // of the schema at hand; -1 = open
-  AtomTable action_table_;                   // schema and parameters → entry
+  Binder binder_;  // of the schema at hand
+  Attainable attainable_;
+  AtomTable action_table_;                     // schema and parameters → entry
   std::vector<std::int32_t> action_of_entry_;  // -1: impossible
   std::vector<std::vector<std::int32_t>> actions_of_schema_;
-  std::vector<RawEffect> effects_;           // that actions were grounded for
-  std::vector<RawEffect> side_effects_;      // what else they do to needed literals
+  std::vector<RawEffect> effects_;                    // that actions were grounded for
+  std::vector<RawEffect> side_effects_;               // what else they do to needed literals
   std::vector<std::vector<std::int32_t>> axioms_of_;  // by atom: axioms that define it
   std::vector<std::uint8_t> defined_;                 // by atom
   std::vector<Literal> queue_;
   std::size_t queue_next_ = 0;
 };
+
+// Visits every binding that the static facts allow, until the task is too large or time is up.
+template <class Visit>
+void Grounder::bind_open(const CompiledSchema& schema, const CompiledEffect& effect, bool parameters,
+                         const Visit& visit) {
+  if (stopped_ || too_large_) return;
+  binder_.each(schema, &effect, parameters, [&] {
+    visit();
+    return !stopped_ && !too_large_;
+  });
+  stopped_ = stopped_ || budget_->stopped();
+}
 
 }  // namespace goalnet::planner

@@ -18,11 +18,11 @@ void Grounder::define(Literal literal) {
     defined_[atom] = 1;
     for (const CompiledAxiom& axiom : compiled_.axioms) {
       if (axiom.predicate != predicate) continue;
-      std::fill_n(binding_.begin(), axiom.slots.size(), -1);
+      std::fill_n(binder_.values().begin(), axiom.slots.size(), -1);
       bool fits = true;
       const auto arguments = task_->atoms.arguments(literal >> 1);
       for (std::size_t i = 0; i < arguments.size(); ++i) {
-        binding_[i] = arguments[i];
+        binder_.values()[i] = arguments[i];
         fits = fits && index_->problem().object_is_a(arguments[i], axiom.slots[i]);
       }
       if (!fits) continue;

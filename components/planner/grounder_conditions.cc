@@ -9,7 +9,7 @@ namespace goalnet::planner {
 Literal Grounder::literal_for(const AtomPattern& pattern, bool negative) {
   std::array<ObjectId, 16> ids{};
   for (std::size_t i = 0; i < pattern.arguments.size(); ++i)
-    ids[i] = pattern.arguments[i].resolve(binding_.data());
+    ids[i] = pattern.arguments[i].resolve(binder_.data());
   bool is_new = false;
   const std::int32_t atom =
       task_->atoms.add(pattern.predicate, ids.data(), pattern.arguments.size(), &is_new);
@@ -71,8 +71,8 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
     case Formula::Kind::kFalse:
       return constant(false);
     case Formula::Kind::kEqual:
-      return constant(formula.atom.arguments[0].resolve(binding_.data()) ==
-                      formula.atom.arguments[1].resolve(binding_.data()));
+      return constant(formula.atom.arguments[0].resolve(binder_.data()) ==
+                      formula.atom.arguments[1].resolve(binder_.data()));
     case Formula::Kind::kAtom:
     case Formula::Kind::kNot: {
       const bool negative = formula.kind == Formula::Kind::kNot;
@@ -81,7 +81,7 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
         return constant(instantiate(inner).kind != Value::Kind::kTrue);
       }
       if (compiled_.is_fluent[static_cast<std::size_t>(inner.atom.predicate)] == 0) {
-        return constant(index_->holds_initially(inner.atom, binding_.data()) != negative);
+        return constant(index_->holds_initially(inner.atom, binder_.data()) != negative);
       }
       return {Value::Kind::kCondition, literal_for(inner.atom, negative)};
     }
@@ -120,10 +120,10 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
         const TypeSet& types = (*slots_)[slot];
         for (ObjectId object = 0; object < problem.object_count() && !decided; ++object) {
           if (!problem.object_is_a(object, types)) continue;
-          binding_[slot] = object;
+          binder_.values()[slot] = object;
           self(self, i + 1);
         }
-        binding_[slot] = -1;
+        binder_.values()[slot] = -1;
       };
       recurse(recurse, 0);
       if (decided) return constant(!conjunction);

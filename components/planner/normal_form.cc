@@ -38,15 +38,22 @@ Formula Normaliser::junction(bool conjunction, std::vector<Formula> children) co
   const auto kind = conjunction ? Formula::Kind::kAnd : Formula::Kind::kOr;
   const auto neutral = conjunction ? Formula::Kind::kTrue : Formula::Kind::kFalse;
   const auto absorbing = conjunction ? Formula::Kind::kFalse : Formula::Kind::kTrue;
+  const bool nested = std::any_of(children.begin(), children.end(), [&](const Formula& c) { return c.kind == kind; });
+  if (std::any_of(children.begin(), children.end(), [&](const Formula& c) { return c.kind == absorbing; })) {
+    return constant(!conjunction);
+  }
+  std::erase_if(children, [&](const Formula& c) { return c.kind == neutral; });
   Formula result;
   result.kind = kind;
-  for (Formula& child : children) {
-    if (child.kind == neutral) continue;
-    if (child.kind == absorbing) return constant(!conjunction);
-    if (child.kind == kind) {
-      for (Formula& inner : child.children) result.children.push_back(std::move(inner));
-    } else {
-      result.children.push_back(std::move(child));
+  if (!nested) {
+    result.children = std::move(children);
+  } else {
+    for (Formula& child : children) {
+      if (child.kind == kind) {
+        for (Formula& inner : child.children) result.children.push_back(std::move(inner));
+      } else {
+        result.children.push_back(std::move(child));
+      }
     }
   }
   if (result.children.empty()) return constant(conjunction);
@@ -58,7 +65,8 @@ Formula Normaliser::junction(bool conjunction, std::vector<Formula> children) co
 }
 
 Formula Normaliser::equality(const Formula& formula, bool negated) const {
-  Formula result = formula;
+  Formula result;
+  result.kind = formula.kind;
   result.atom = substitute(formula.atom);
   const Term left = result.atom.arguments[0], right = result.atom.arguments[1];
   if (left == right) return constant(!negated);
@@ -110,7 +118,8 @@ Formula Normaliser::inlined(const AtomPattern& use, bool negated) const {
 }
 
 Formula Normaliser::atom(const Formula& formula, bool negated) const {
-  Formula result = formula;
+  Formula result;
+  result.kind = formula.kind;
   result.atom = substitute(formula.atom);
   const bool derived = !domain_.recursive(result.atom.predicate) && std::any_of(domain_.derived.begin(), domain_.derived.end(), [&](const DerivedPredicate& d) {
     return d.predicate == result.atom.predicate;
@@ -128,10 +137,15 @@ Formula Normaliser::normalise(const Formula& formula, bool negated) const {
     case Formula::Kind::kNot: return normalise(formula.children[0], !negated);
     case Formula::Kind::kAnd:
     case Formula::Kind::kOr: {
+      const bool conjunction = (formula.kind == Formula::Kind::kAnd) != negated;
+      const auto decides = conjunction ? Formula::Kind::kFalse : Formula::Kind::kTrue;
       std::vector<Formula> children;
       children.reserve(formula.children.size());
-      for (const Formula& child : formula.children) children.push_back(normalise(child, negated));
-      return junction((formula.kind == Formula::Kind::kAnd) != negated, std::move(children));
+      for (const Formula& child : formula.children) {
+        children.push_back(normalise(child, negated));
+        if (children.back().kind == decides) return constant(!conjunction);
+      }
+      return junction(conjunction, std::move(children));
     }
     case Formula::Kind::kForall:
     case Formula::Kind::kExists: {

@@ -170,7 +170,7 @@ class DomainParser : public Parser {
       if (domain_.predicates.find(name.text) != SymbolTable::kNone) {
         return fail_at(name.offset, "predicate " + quoted(name) + " is declared twice");
       }
-      if (parameters.size() > 16) return fail_at(name.offset, "a predicate with more than 16 arguments");
+      if (parameters.size() > TermList::kMost) return fail_at(name.offset, "a predicate with more than 16 arguments");
       domain_.predicates.add(name.text);
       domain_.predicate_schemas.emplace_back();
       for (TypedName& p : parameters) domain_.predicate_schemas.back().parameters.push_back(std::move(p.types));
@@ -199,7 +199,7 @@ class DomainParser : public Parser {
       if (domain_.functions.find(name.text) != SymbolTable::kNone) {
         return fail_at(name.offset, "function " + quoted(name) + " is declared twice");
       }
-      if (parameters.size() > 16) return fail_at(name.offset, "a function with more than 16 arguments");
+      if (parameters.size() > TermList::kMost) return fail_at(name.offset, "a function with more than 16 arguments");
       domain_.functions.add(name.text);
       domain_.function_schemas.emplace_back();
       for (TypedName& p : parameters) domain_.function_schemas.back().parameters.push_back(std::move(p.types));

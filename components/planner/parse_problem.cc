@@ -192,7 +192,7 @@ class ProblemParser : public Parser {
 
   const Domain& domain_;
   Problem problem_;
-  std::vector<Term> arguments_;
+  TermList arguments_;
   std::vector<ObjectId> ids_;
 };
 

@@ -208,13 +208,18 @@ bool Parser::term(const Domain& domain, const Problem* problem, const Scope& sco
 }
 
 bool Parser::atom_arguments(const Domain& domain, const Problem* problem, const Scope& scope, const Token& name,
-                            const std::vector<TypeSet>& schema, std::vector<Term>* arguments) {
+                            const std::vector<TypeSet>& schema, TermList* arguments) {
+  bool too_many = false;
   while (!failed() && peek().kind != Token::Kind::kClose) {
     Term argument;
     std::size_t offset = 0;
     if (!term(domain, problem, scope, &argument, &offset)) return false;
     const std::size_t index = arguments->size();
-    if (index < schema.size()) {
+    if (index == schema.size()) {
+      too_many = true;
+      break;
+    }
+    {
       TypeSet object_type;
       const TypeSet* types = nullptr;
       if (argument.is_variable()) {
@@ -232,12 +237,11 @@ bool Parser::atom_arguments(const Domain& domain, const Problem* problem, const 
       }
     }
     arguments->push_back(argument);
-    if (arguments->size() > schema.size()) break;
   }
   if (failed()) return false;
-  if (arguments->size() != schema.size()) {
+  if (too_many || arguments->size() != schema.size()) {
     return fail_at(name.offset, quoted(name) + " takes " + std::to_string(schema.size()) + " arguments, not " +
-                                    (arguments->size() > schema.size() ? "more" : std::to_string(arguments->size())));
+                                    (too_many ? "more" : std::to_string(arguments->size())));
   }
   return expect_close("the arguments");
 }

@@ -64,7 +64,7 @@ class Parser {
   bool formula(const Domain& domain, const Problem* problem, Scope& scope, int depth, Formula* result);
   // After "(" NAME has been read: the arguments up to ")". The schema is checked.
   bool atom_arguments(const Domain& domain, const Problem* problem, const Scope& scope, const Token& name,
-                      const std::vector<TypeSet>& schema, std::vector<Term>* arguments);
+                      const std::vector<TypeSet>& schema, TermList* arguments);
   bool term(const Domain& domain, const Problem* problem, const Scope& scope, Term* result, std::size_t* offset);
   // Reads "(?x ?y - t)" and makes the variables visible.
   bool quantified(const Domain& domain, Scope& scope, std::vector<std::int32_t>* slots);

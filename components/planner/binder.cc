@@ -1,0 +1,108 @@
+#include "components/planner/binder.h"
+
+#include <algorithm>
+
+namespace goalnet::planner {
+
+Binder::Binder(const CompiledDomain& compiled) {
+  std::size_t most = 64;
+  for (const CompiledSchema& schema : compiled.schemas) most = std::max(most, schema.slots.size());
+  for (const CompiledAxiom& axiom : compiled.axioms) most = std::max(most, axiom.slots.size());
+  values_.assign(most, -1);
+}
+
+bool Binder::begin(const CompiledSchema& schema) {
+  std::fill_n(values_.begin(), schema.slots.size(), -1);
+  for (const auto& [slot, object] : schema.fixed) {
+    if (!index_->problem().present(object)) return false;
+    values_[static_cast<std::size_t>(slot)] = object;
+  }
+  return true;
+}
+
+bool Binder::bind(const CompiledSchema& schema, std::int32_t slot, ObjectId object) {
+  ObjectId& bound = values_[static_cast<std::size_t>(slot)];
+  if (bound >= 0) return bound == object;
+  if (!index_->object_fits(object, schema.slot_sets[static_cast<std::size_t>(slot)])) return false;
+  bound = object;
+  return true;
+}
+
+bool Binder::unify(const CompiledSchema& schema, const AtomPattern& pattern, AtomRef atom) {
+  for (std::size_t i = 0; i < pattern.arguments.size(); ++i) {
+    const Term term = pattern.arguments[i];
+    if (term.is_variable()) {
+      if (!bind(schema, term.slot(), atom.arguments[i])) return false;
+    } else if (term.value != atom.arguments[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Binder::static_part_holds(const Condition& condition) const {
+  for (const EqualityPattern& equality : condition.equalities) {
+    if ((equality.left.resolve(data()) == equality.right.resolve(data())) == equality.negative) return false;
+  }
+  for (const LiteralPattern& literal : condition.fixed) {
+    if (index_->holds_initially(literal.atom, data()) == literal.negative) return false;
+  }
+  return true;
+}
+
+bool Binder::any_open(const AtomPattern& atom) const {
+  return std::any_of(atom.arguments.begin(), atom.arguments.end(),
+                     [this](Term term) { return is_open(term); });
+}
+
+bool Binder::refused(const Condition& condition) const {
+  for (const EqualityPattern& equality : condition.equalities) {
+    if (is_open(equality.left) || is_open(equality.right)) continue;
+    if ((equality.left.resolve(data()) == equality.right.resolve(data())) == equality.negative) return true;
+  }
+  for (const LiteralPattern& literal : condition.fixed) {
+    if (any_open(literal.atom)) continue;
+    if (index_->holds_initially(literal.atom, data()) == literal.negative) return true;
+  }
+  return false;
+}
+
+std::int32_t Binder::first_open(const CompiledSchema& schema, const CompiledEffect* effect,
+                                bool parameters) const {
+  for (std::int32_t slot = 0; parameters && slot < schema.parameter_count; ++slot) {
+    if (values_[static_cast<std::size_t>(slot)] < 0) return slot;
+  }
+  if (effect == nullptr) return -1;
+  for (const std::int32_t slot : effect->variables) {
+    if (values_[static_cast<std::size_t>(slot)] < 0) return slot;
+  }
+  return -1;
+}
+
+// An equality with one open side decides it.
+const EqualityPattern* Binder::decisive_equality(const Condition& condition) const {
+  for (const EqualityPattern& equality : condition.equalities) {
+    if (!equality.negative && is_open(equality.left) != is_open(equality.right)) return &equality;
+  }
+  return nullptr;
+}
+
+void Binder::choose_join(const Condition& condition, const LiteralPattern** best,
+                         std::span<const std::int32_t>* candidates) {
+  for (const LiteralPattern& literal : condition.fixed) {
+    if (literal.negative || !any_open(literal.atom)) continue;
+    const auto& arguments = literal.atom.arguments;
+    auto facts = index_->facts(literal.atom.predicate);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      if (is_open(arguments[i])) continue;
+      const auto fewer = index_->facts(literal.atom.predicate, i, arguments[i].resolve(data()));
+      if (fewer.size() < facts.size()) facts = fewer;
+    }
+    if (*best == nullptr || facts.size() < candidates->size()) {
+      *best = &literal;
+      *candidates = facts;
+    }
+  }
+}
+
+}  // namespace goalnet::planner
