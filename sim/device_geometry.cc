@@ -91,7 +91,8 @@ bool pours_into(const scene::ObjectModel& giver, const scene::Pose& giver_pose,
 bool inside_cavity(const scene::ObjectModel& model, const scene::Pose& object, const Eigen::Vector3d& point) {
   if (!model.cavity) return false;
   const Eigen::Vector3d local = mouth_of(model, object).inverse() * point;
-  return local.head<2>().norm() < model.cavity->radius && local.z() < 0.0 &&
+  // A cavity's radius is that of its opening: what leans against the wall is a little beyond it.
+  return local.head<2>().norm() < model.cavity->radius + 0.006 && local.z() < 0.0 &&
          local.z() > -model.cavity->depth - 0.01;
 }
 

@@ -157,8 +157,9 @@ bool DeviceRules::triggered(const scene::ContactRule& rule, const DeviceInput& i
       return pours_into(from, input.objects[giver], to, input.objects[receiver]);
     case Trigger::kSqueeze:
       return input.held[giver] && pours_into(from, input.objects[giver], to, input.objects[receiver]);
-    case Trigger::kInside:
-      return inside_cavity(to, input.objects[receiver], lowest_point(from, input.objects[giver]));
+    case Trigger::kInside:  // let go of: a spoon that a hand dips into something is not put there
+      return !input.held[giver] &&
+             inside_cavity(to, input.objects[receiver], lowest_point(from, input.objects[giver]));
     case Trigger::kDip:
       return inside_cavity(to, input.objects[receiver], tool_tip(from, input.objects[giver]));
   }

@@ -251,6 +251,27 @@ Tolerances CollisionChecker::baseline(const std::vector<double>& q, const Collis
   return out;
 }
 
+bool CollisionChecker::hand_collides(const std::vector<double>& q, std::size_t arm, const Pose& tool,
+                                     double margin, const Tolerances& tolerances) const {
+  place_robot(q);
+  const Pose to_tool = tool * link_poses_[static_cast<std::size_t>(tool_links_[arm])].inverse();
+  for (const int part : hand_parts_[arm]) {
+    auto& shape = parts_[static_cast<std::size_t>(part)];
+    if (shape.empty()) continue;
+    if (part == attachment(arm)) {
+      shape.place(tool * held_[arm]->object_in_tool);
+    } else {
+      shape.place(to_tool * link_poses_[static_cast<std::size_t>(part)]);
+    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      if (!bodies_[b].present || bodies_[b].riding) continue;
+      const double limit = tolerances.limit(part, static_cast<int>(b), margin);
+      if (limit != kAnyDepth && nearer_than(shape, bodies_[b].shape, limit)) return true;
+    }
+  }
+  return false;
+}
+
 bool CollisionChecker::object_fits(const std::string& object, const Pose& pose, double margin,
                                    const std::vector<std::string>& ignored) const {
   const auto* m = scene_.find_model_of(object);

@@ -61,6 +61,11 @@ class CollisionChecker {
   // Tolerances for everything that is nearer than the margin in this posture already: from a touch one may
   // come away, but not press on. Pairs nearer than `least` [m] get none: they stay collisions.
   Tolerances baseline(const std::vector<double>& q, const CollisionQuery& query, double least = -1.0) const;
+  // Whether a hand with its tool frame at a pose, with fingers as in `q` and what it holds, would be too near
+  // to anything in the world, whatever the arm does: `margin` and `tolerances` as in a query. What rides
+  // along is left out.
+  bool hand_collides(const std::vector<double>& q, std::size_t arm, const Pose& tool, double margin,
+                     const Tolerances& tolerances) const;
   // Whether an object at a pose would be nearer than `margin` to any other body; those named are ignored.
   bool object_fits(const std::string& object, const Pose& pose, double margin,
                    const std::vector<std::string>& ignored) const;

@@ -26,10 +26,11 @@ Expected<void> need_part(const Workbench& bench, const std::string& name,
 
 const std::vector<std::pair<std::string, std::size_t>>& skill_names() {
   static const std::vector<std::pair<std::string, std::size_t>> kNames = {
-      {"moveto", 1},   {"grasp", 1},    {"release", 1},   {"stow", 1},  {"unstow", 1},
-      {"keep-on", 2},  {"keep-in", 2},  {"open", 1},      {"close", 1}, {"turn-on", 1},
-      {"turn-off", 1}, {"press-on", 1}, {"press-off", 1}, {"press", 1}, {"pour", 2},
-      {"pour-out", 1}, {"squeeze", 2},  {"add", 2},       {"scoop", 2},
+      {"moveto", 1},        {"grasp", 1},    {"release", 1},   {"stow", 1},  {"unstow", 1},
+      {"keep-on", 2},       {"keep-in", 2},  {"open", 1},      {"close", 1}, {"turn-on", 1},
+      {"turn-off", 1},      {"press-on", 1}, {"press-off", 1}, {"press", 1}, {"pour", 2},
+      {"pour-out", 1},      {"squeeze", 2},  {"add", 2},       {"scoop", 2}, {"insert", 2},
+      {"place-utensil", 2},
   };
   return kNames;
 }
@@ -61,6 +62,13 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
     if (bench.scene().find_object(x)) return {};
     return fail(Outcome::kInvalidRequest, "'" + to_string(action) + "': '" + x + "' cannot be picked up");
   };
+  // Something to pour or put into.
+  const auto need_opening = [&](const std::string& receiver) -> Expected<void> {
+    const auto* into = bench.scene().find_model_of(receiver);
+    if (into != nullptr && into->cavity && receiver != x) return {};
+    return fail(Outcome::kInvalidRequest,
+                "'" + to_string(action) + "': nothing can be put in or on '" + receiver + "'");
+  };
   using Result = Expected<std::unique_ptr<Skill>>;
   if (name == "moveto") return Result(std::make_unique<MoveSkill>(x));
   if (name == "turn-on" || name == "turn-off" || name == "open" || name == "close") {
@@ -76,14 +84,26 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
     return Result(std::make_unique<PressSkill>(x));
   }
   if (name == "add" && x == kScoop) {
+    if (auto ok = need_opening(action.arguments[1]); !ok) return tl::unexpected<Error>(ok.error());
     return Result(
         std::make_unique<GestureSkill>(action, GestureSkill::Kind::kPour, kSpoon, action.arguments[1]));
   }
   if (auto ok = need_object(); !ok) return tl::unexpected<Error>(ok.error());
+  const auto* model = bench.scene().find_model_of(x);
+  // What cannot be poured goes in as a whole.
+  const bool put = name == "insert" || name == "place-utensil" || (name == "add" && !model->cavity) ||
+                   (name.starts_with("keep") && bench.scene().find_object(action.arguments[1]));
+  if (put) {
+    const std::string& receiver = action.arguments[1];
+    if (auto ok = need_opening(receiver); !ok) return tl::unexpected<Error>(ok.error());
+    return Result(std::make_unique<PutSkill>(action, x, receiver));
+  }
   if (name == "pour" || name == "squeeze" || name == "add" || name == "pour-out" || name == "scoop") {
     const auto kind = name == "scoop" ? GestureSkill::Kind::kScoop : GestureSkill::Kind::kPour;
     const std::string receiver = action.arguments.size() > 1 ? action.arguments[1] : "";
-    const auto* model = bench.scene().find_model_of(x);
+    if (!receiver.empty()) {
+      if (auto ok = need_opening(receiver); !ok) return tl::unexpected<Error>(ok.error());
+    }
     if (kind == GestureSkill::Kind::kPour && !model->cavity) {
       return fail(Outcome::kInvalidRequest,
                   "'" + to_string(action) + "': '" + x + "' has no opening to pour from");

@@ -10,6 +10,17 @@ Pose moved(const Pose& pose, const Eigen::Vector3d& offset) {
   return out;
 }
 
+double lowest_height(const std::vector<scene::Shape>& shapes, const Pose& owner) {
+  double lowest = owner.translation().z();
+  for (const auto& shape : shapes) {
+    const Pose pose = owner * shape.pose;
+    // The box around the shape reaches this far down from its middle.
+    const double down = pose.linear().row(2).cwiseAbs().dot(scene::half_extents(shape));
+    lowest = std::min(lowest, pose.translation().z() - down);
+  }
+  return lowest;
+}
+
 Pose backed(const Pose& tool, double distance) { return tool * Eigen::Translation3d(0, 0, -distance); }
 
 double grip_opening(double width, double force) {

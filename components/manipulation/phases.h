@@ -32,6 +32,10 @@ void add_let_go(Phases& phases, const Workbench& bench, std::size_t arm, double 
 // Finger command that grips something of a width with enough force.
 double grip_opening(double width, double force);
 
+// Height [m] in the map frame of the lowest point of shapes whose owner is at a pose (cylinders as their
+// boxes).
+double lowest_height(const std::vector<scene::Shape>& shapes, const Pose& owner);
+
 Pose moved(const Pose& pose, const Eigen::Vector3d& offset);  // in the map frame
 Pose backed(const Pose& tool, double distance);               // along the tool's own -z
 

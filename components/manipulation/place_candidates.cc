@@ -8,7 +8,9 @@ namespace goalnet::manipulation {
 namespace {
 
 constexpr double kAbove = 0.002;  // [m] let go this high above the surface: touching earlier would push
-constexpr double kGap = 0.02;     // [m] to neighbours: room for fingers is checked by reaching itself
+constexpr double kFingerThickness = 0.014;  // [m]
+constexpr double kFingers = 0.006;          // [m] finger tips stay this high above it
+constexpr double kGap = 0.02;  // [m] to neighbours: room for fingers is checked by reaching itself
 
 struct Spot {
   Pose pose;  // map frame, on the surface
@@ -37,6 +39,20 @@ void add_grid(const scene::Support& support, const Pose& frame, double radius, d
 }
 
 }  // namespace
+
+double let_go_height(const Workbench& bench, std::size_t arm) {
+  const auto& gripper = bench.model().arms[arm].gripper;
+  const Pose tool = bench.held()[arm]->object_in_tool.inverse();  // in the object's frame
+  const double outside = 0.5 * bench.opening_of(bench.now(), arm) + kFingerThickness;
+  double lowest = kAbove;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-1.0, 1.0}) {
+      const Eigen::Vector3d corner(x * gripper.pad_width, y * outside, gripper.tip);
+      lowest = std::min(lowest, (tool * corner).z() - kFingers);
+    }
+  }
+  return kAbove - lowest;
+}
 
 Pose support_pose(const scene::Scene& scene, const scene::Region& region, const scene::Support& support) {
   const auto* fixture = scene.find_fixture(region.fixture);

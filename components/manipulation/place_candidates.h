@@ -20,6 +20,10 @@ struct PlaceCandidate {
 std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string& object,
                                              const scene::Region& region, int headings = 12);
 
+// How high above the surface the thing must be let go [m] so that the hand that holds it does not touch it: a
+// spoon is thinner than the fingers are long.
+double let_go_height(const Workbench& bench, std::size_t arm);
+
 // The regions that a name stands for: itself, or the compartments within it (Fridge).
 std::vector<const scene::Region*> regions_of(const scene::Scene& scene, const std::string& name);
 

@@ -5,6 +5,7 @@
 
 #include "components/manipulation/place_candidates.h"
 #include "components/manipulation/skills.h"
+#include "components/manipulation/two_hands.h"
 
 namespace goalnet::manipulation {
 namespace {
@@ -12,7 +13,9 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr double kOver = 0.05;      // [m] the lip above the receiver's mouth
+constexpr double kOver[] = {0.05,
+                            0.11};  // [m] the lip above the receiver's mouth when things run: low is neat
+constexpr double kClear = 0.02;     // [m] everything else above it at any time
 constexpr double kBeyond = 0.20;    // [rad] more tilt than what makes contents run
 constexpr double kTiltStep = 0.20;  // [rad]
 
@@ -34,37 +37,57 @@ Vector3d tip_of(const scene::ObjectModel& model) {
   return {b.upper.x() - 0.01, 0.0, 0.5 * (b.lower.z() + b.upper.z())};
 }
 
-// The gestures of one object as sequences of its poses; the last one is held for a while.
-std::vector<std::vector<Pose>> pours(const scene::ObjectModel& model, const Vector3d& over) {
-  std::vector<std::vector<Pose>> out;
-  const double most = model.cavity->pour_tilt + kBeyond;
-  for (int r = 0; r < 8; ++r) {
-    const double roll = r * std::numbers::pi / 4;
-    // The lip that will be lowest: towards the heading, seen from the rolled object.
+// One way to make the gesture: poses of what is held, the last one is kept for a while.
+struct Gesture {
+  std::vector<Pose> poses;
+  double preference = 0;  // [s] lower is better
+};
+
+// Pouring over a lip, seen from the hand: sideways by turning the wrist is what hands do best. The whole
+// thing stays above the receiver's mouth while it leans: a full cup starts higher and comes down as it tilts.
+std::vector<Gesture> pours(const scene::ObjectModel& model, const Vector3d& mouth,
+                           const Pose& tool_in_object) {
+  std::vector<Gesture> out;
+  const double most = std::min(model.cavity->pour_tilt + kBeyond, std::numbers::pi - 0.05);
+  const Vector3d hand = tool_in_object.linear().col(2);
+  const double hand_angle = hand.head<2>().norm() > 0.2 ? std::atan2(hand.y(), hand.x()) : 0.0;
+  for (const double beside : {90.0, -90.0, 60.0, -60.0, 120.0, -120.0, 30.0, -30.0, 0.0, 180.0}) {
+    const double angle = beside * std::numbers::pi / 180;
+    const double lip_angle = hand_angle + angle;
     const Vector3d lip = model.cavity->mouth.translation() +
-                         model.cavity->radius * Vector3d(std::cos(roll), -std::sin(roll), 0);
-    for (int h = 0; h < 12; ++h) {
-      const double heading = h * std::numbers::pi / 6;
-      std::vector<Pose> poses{leaning(over + Vector3d(0, 0, 0.03), lip, heading, 0.0, roll)};
-      for (double tilt = kTiltStep; tilt < most; tilt += kTiltStep)
-        poses.push_back(leaning(over, lip, heading, tilt, roll));
-      poses.push_back(leaning(over, lip, heading, most, roll));
-      out.push_back(std::move(poses));
+                         model.cavity->radius * Vector3d(std::cos(lip_angle), std::sin(lip_angle), 0);
+    const auto pose_at = [&](double heading, double tilt, double over) {
+      const Pose low = leaning(mouth + Vector3d(0, 0, over), lip, heading, tilt, -lip_angle);
+      const double short_of = mouth.z() + kClear - lowest_height(model.shapes, low);
+      return moved(low, {0, 0, std::max(0.0, short_of)});
+    };
+    for (const double over : kOver) {
+      for (int h = 0; h < 12; ++h) {
+        const double heading = h * std::numbers::pi / 6;
+        Gesture gesture;
+        gesture.preference = 0.5 * std::abs(std::cos(angle)) + 2.0 * (over - kOver[0]);
+        for (double tilt = 0.0; tilt < most; tilt += kTiltStep)
+          gesture.poses.push_back(pose_at(heading, tilt, over));
+        gesture.poses.push_back(pose_at(heading, most, over));
+        out.push_back(std::move(gesture));
+      }
     }
   }
   return out;
 }
 
-std::vector<std::vector<Pose>> dips(const scene::ObjectModel& model, const Vector3d& above,
-                                    const Vector3d& at, std::initializer_list<double> tilts) {
-  std::vector<std::vector<Pose>> out;
+// The end of a tool goes into something, steeply.
+std::vector<Gesture> dips(const scene::ObjectModel& model, const Vector3d& above, const Vector3d& at,
+                          std::initializer_list<double> tilts) {
+  std::vector<Gesture> out;
   for (const double tilt : tilts) {
     for (int h = 0; h < 16; ++h) {
       const double heading = h * std::numbers::pi / 8;
       // On the way there it must not lean more than things carried may.
-      out.push_back({leaning(above, tip_of(model), heading, std::min(tilt, 0.6), 0),
-                     leaning(above, tip_of(model), heading, tilt, 0),
-                     leaning(at, tip_of(model), heading, tilt, 0)});
+      out.push_back(
+          {{leaning(above, tip_of(model), heading, std::min(tilt, 0.6), 0),
+            leaning(above, tip_of(model), heading, tilt, 0), leaning(at, tip_of(model), heading, tilt, 0)},
+           0.0});
     }
   }
   return out;
@@ -84,57 +107,73 @@ std::optional<Vector3d> drain(const scene::Scene& scene) {
 
 }  // namespace
 
-Expected<Phases> GestureSkill::attempt(Workbench& bench, int) {
-  const std::string what = to_string(action_);
-  const auto holding = bench.arm_holding(tool_);
-  if (!holding) return fail(Outcome::kMotionFailed, what + ": " + tool_ + " is not in a hand");
-  const std::size_t arm = *holding;
+// All ways to make the gesture over a mouth at a pose.
+std::vector<Reach> GestureSkill::ways(const Workbench& bench, std::size_t arm, const Vector3d& mouth) const {
   const auto& model = *bench.scene().find_model_of(tool_);
-  StandSearchOptions options;
-  Vector3d mouth = Vector3d::Zero();
-  if (receiver_.empty()) {
-    const auto sink = drain(bench.scene());
-    if (!sink) return fail(Outcome::kMotionFailed, what + ": there is no sink here");
-    mouth = *sink;
-  } else {
-    const auto* receiver = bench.scene().find_model_of(receiver_);
-    const Pose* pose = bench.world().object(receiver_);
-    if (receiver == nullptr || pose == nullptr || !receiver->cavity) {
-      return fail(Outcome::kMotionFailed, what + ": " + receiver_ + " cannot be seen or has no opening");
-    }
-    mouth = (*pose * receiver->cavity->mouth).translation();
-    // What the other hand holds moves with base and lift: stay.
-    options.may_drive = options.may_lift = !bench.arm_holding(receiver_).has_value();
-  }
-  std::vector<std::vector<Pose>> gestures;
+  const Pose grip = bench.held()[arm]->object_in_tool.inverse();
+  std::vector<Gesture> gestures;
   if (kind_ == Kind::kScoop) {
     gestures = dips(model, mouth + Vector3d(0, 0, 0.06), mouth - Vector3d(0, 0, 0.02), {0.8, 1.1, 0.6});
   } else if (model.cavity) {
-    gestures = pours(model, mouth + Vector3d(0, 0, kOver));
+    gestures = pours(model, mouth, grip);
   } else {
     gestures = dips(model, mouth + Vector3d(0, 0, 0.10), mouth + Vector3d(0, 0, 0.03), {1.35, 1.5});
   }
-  const Pose grip = bench.held()[arm]->object_in_tool.inverse();
   std::vector<Reach> reaches;
   for (std::size_t i = 0; i < gestures.size(); ++i) {
     if (failed_.contains(i)) continue;
     Reach reach;
     reach.arm = arm;
-    for (const auto& pose : gestures[i]) reach.tool.push_back(pose * grip);
+    for (const auto& pose : gestures[i].poses) reach.tool.push_back(pose * grip);
     reach.opening = bench.opening_of(bench.now(), arm);
+    reach.preference = gestures[i].preference;
     reach.tag = i;
     reaches.push_back(std::move(reach));
   }
-  options.most_reaches = 100;
-  options.backwards = true;
-  auto solution = find_stand(bench, reaches, options);
-  if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
-  const Reach reach = reaches[solution->reach];
-  failed_.insert(reach.tag);
+  return reaches;
+}
+
+Expected<Phases> GestureSkill::attempt(Workbench& bench, int) {
+  const std::string what = to_string(action_);
+  const auto holding = bench.arm_holding(tool_);
+  if (!holding) return fail(Outcome::kMotionFailed, what + ": " + tool_ + " is not in a hand");
+  const std::size_t arm = *holding;
   Phases phases;
   add_back_off(phases, bench);
-  add_go_to(phases, bench, *solution);
-  add_approach(phases, *solution, reach);
+  Reach reach;
+  if (const auto other = receiver_.empty() ? std::nullopt : bench.arm_holding(receiver_)) {
+    const auto& cavity = bench.scene().find_model_of(receiver_)->cavity;
+    auto both = find_two_hands(bench, *other, [&](const Pose& held) {
+      return ways(bench, arm, (held * cavity->mouth).translation());
+    });
+    if (!both) return fail(both.error().outcome, what + ": " + both.error().message);
+    reach = both->reaches[both->work.reach];
+    add_go_to(phases, bench, both->work);
+    add_hold_out(phases, *both);
+    add_approach(phases, both->work, reach);
+  } else {
+    Vector3d mouth = Vector3d::Zero();
+    if (receiver_.empty()) {
+      const auto sink = drain(bench.scene());
+      if (!sink) return fail(Outcome::kMotionFailed, what + ": there is no sink here");
+      mouth = *sink;
+    } else if (const Pose* pose = bench.world().object(receiver_)) {
+      mouth = (*pose * bench.scene().find_model_of(receiver_)->cavity->mouth).translation();
+    } else {
+      return fail(Outcome::kMotionFailed, what + ": " + receiver_ + " cannot be seen");
+    }
+    const auto reaches = ways(bench, arm, mouth);
+    StandSearchOptions options;
+    options.most_reaches = reaches.size();
+    options.backwards = !receiver_.empty() && bench.checker().rides(receiver_);
+    options.may_drive = !options.backwards;
+    auto solution = find_stand(bench, reaches, options);
+    if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
+    reach = reaches[solution->reach];
+    add_go_to(phases, bench, *solution);
+    add_approach(phases, *solution, reach);
+  }
+  failed_.insert(reach.tag);
   Phase there =
       straight(action_.name, arm, {reach.tool.begin() + 1, reach.tool.end()}, reach.tolerances, 0.6);
   there.settle = 1.4;  // contents take their time (DeviceRules: half a second to one second)

@@ -27,6 +27,7 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
   // From the tray: driving would take the object along, and the hand points back.
   options.backwards = bench.checker().rides(object_);
   options.may_drive = !options.backwards;
+  if (options.backwards) options.most_reaches = reaches.size();
   auto solution = find_stand(bench, reaches, options);
   if (!solution) return fail(solution.error().outcome, "grasp " + object_ + ": " + solution.error().message);
   const Reach reach = reaches[solution->reach];
@@ -89,19 +90,31 @@ bool stands_before(const Stand& stand, const scene::Fixture& fixture) {
   return std::hypot(there.x(), there.y()) < 0.93 && std::abs(bearing) < 1.35;
 }
 
+// Something for each arm to come near to, without a way to get there.
+std::vector<Reach> pointing_at(const Workbench& bench, const Pose& object) {
+  std::vector<Reach> out(bench.arm_count());
+  for (std::size_t arm = 0; arm < out.size(); ++arm) {
+    out[arm].arm = arm;
+    out[arm].tool = {object};
+  }
+  return out;
+}
+
 }  // namespace
 
 Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
   if (number > 0) return fail(Outcome::kMotionFailed, "moveto " + object_ + ": no other way to get there");
   if (bench.arm_holding(object_)) return Phases{};
   std::vector<std::vector<Reach>> wishes;  // best first
+  bool full = true;                        // no hand could reach for anything: to stand there is enough
+  for (const auto& held : bench.held()) full = full && held.has_value();
   const Pose* pose = bench.world().object(object_);
   std::string place = object_;
   if (pose != nullptr) {
-    wishes.push_back(grasp_reaches(bench, object_));
+    wishes.push_back(full ? pointing_at(bench, *pose) : grasp_reaches(bench, object_));
     if (const auto* region = region_around(bench, *pose)) place = region->fixture;
   } else if (const auto ref = bench.scene().find_part(object_);
-             ref && ref.part->use != scene::PartUse::kDoor) {
+             !full && ref && ref.part->use != scene::PartUse::kDoor) {
     wishes.push_back(ref.part->use == scene::PartUse::kButton ? press_reaches(bench, ref)
                                                               : part_reaches(bench, ref));
     place = ref.fixture->name;
@@ -109,6 +122,7 @@ Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
   wishes.push_back(front_reaches(bench, place));
   Expected<ReachSolution> solution = fail(Outcome::kMotionFailed, "nothing to go to");
   StandSearchOptions options;
+  options.stand_only = full;
   if (pose != nullptr) {
     if (bench.checker().rides(object_)) return Phases{};
     // To be near means to have it before oneself, not just in reach from the side.

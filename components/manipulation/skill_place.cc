@@ -63,8 +63,10 @@ std::vector<PlaceWay> ways(Workbench& bench, std::size_t arm, const std::vector<
                            const std::vector<const scene::Region*>& origin) {
   std::vector<PlaceWay> out;
   const Pose grip = bench.held()[arm]->object_in_tool.inverse();
+  const Eigen::Vector3d higher(0, 0, let_go_height(bench, arm));
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto& c = candidates[i];
+    auto c = candidates[i];
+    c.object.translation() += higher;
     PlaceWay way;
     way.object = c.object;
     way.reach.arm = arm;

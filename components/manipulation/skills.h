@@ -80,9 +80,27 @@ class GestureSkill : public Skill {
   Expected<Phases> attempt(Workbench& bench, int number) override;
 
  private:
+  std::vector<Reach> ways(const Workbench& bench, std::size_t arm, const Eigen::Vector3d& mouth) const;
+
   Action action_;
   Kind kind_;
   std::string tool_, receiver_;
+  std::set<std::size_t> failed_;
+};
+
+// keep-in a bin or bag, keep-on a plate, add what is not poured, place-utensil, insert: into or onto another
+// movable thing.
+class PutSkill : public Skill {
+ public:
+  PutSkill(Action action, std::string object, std::string receiver)
+      : action_(std::move(action)), object_(std::move(object)), receiver_(std::move(receiver)) {}
+  Expected<Phases> attempt(Workbench& bench, int number) override;
+
+ private:
+  Expected<std::vector<Reach>> ways(Workbench& bench, std::size_t arm, const Pose& receiver) const;
+
+  Action action_;
+  std::string object_, receiver_;
   std::set<std::size_t> failed_;
 };
 

@@ -106,6 +106,7 @@ class Search {
   Search(Workbench& bench, const std::vector<Reach>& reaches, const StandSearchOptions& options)
       : bench_(bench), reaches_(reaches), options_(options) {
     for (std::size_t i = 0; i < reaches.size(); ++i) order_.push_back(i);
+    hand_fits_.resize(reaches.size());
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
       return reaches_[a].preference < reaches_[b].preference;
     });
@@ -124,7 +125,12 @@ class Search {
     std::size_t place = 0;
     for (const std::size_t index : order_) {
       if (place >= to || tries_ >= options_.most_tries) break;
-      if (!within_length(q, reaches_[index]) || place++ < from) continue;
+      if (options_.stand_only) {
+        ++tries_;
+        if (options_.accept && !options_.accept(q, reaches_[index], {})) continue;
+        return ReachSolution{candidate.stand, candidate.drives, index, {}};
+      }
+      if (!within_length(q, reaches_[index]) || !hand_fits(index) || place++ < from) continue;
       if (auto along = try_reach(q, reaches_[index])) {
         return ReachSolution{candidate.stand, candidate.drives, index, std::move(*along)};
       }
@@ -137,6 +143,23 @@ class Search {
   bool within_length(const Configuration& stand, const Reach& reach) const {
     const Pose first = bench_.arm_base_pose(stand, reach.arm).inverse() * reach.tool.front();
     return first.translation().norm() < 1.15 && (options_.backwards || first.linear()(0, 2) > -0.35);
+  }
+
+  // Quick no: where the hand should be there is something already, wherever the robot stands. Found out once,
+  // when asked.
+  bool hand_fits(std::size_t index) {
+    auto& known = hand_fits_[index];
+    if (known) return *known;
+    const Reach& reach = reaches_[index];
+    const Configuration q = bench_.with_fingers(bench_.now(), reach.arm, reach.opening);
+    const CollisionChecker& checker = bench_.checker();
+    bool fits = !checker.hand_collides(q, reach.arm, reach.tool.front(), bench_.params().margin, {});
+    for (std::size_t i = 1; i < reach.tool.size() && fits; ++i) {
+      fits = !checker.hand_collides(q, reach.arm, reach.tool[i], bench_.params().contact_margin,
+                                    reach.tolerances);
+    }
+    known = fits;
+    return fits;
   }
 
   std::optional<std::vector<ArmPositions>> try_reach(const Configuration& stand, const Reach& reach) {
@@ -182,6 +205,7 @@ class Search {
   const std::vector<Reach>& reaches_;
   const StandSearchOptions& options_;
   std::vector<std::size_t> order_;
+  std::vector<std::optional<bool>> hand_fits_;  // by reach; empty: not looked at yet
   std::size_t tries_ = 0;
 };
 

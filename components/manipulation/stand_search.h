@@ -29,7 +29,8 @@ struct ReachSolution {
 struct StandSearchOptions {
   bool may_drive = true;
   bool may_lift = true;
-  bool backwards = false;  // hands may point back over the robot: to its tray
+  bool stand_only = false;  // to stand where it is in reach is enough: both hands are full
+  bool backwards = false;   // hands may point back over the robot: to its tray
   // Extra check of a whole solution, for example a door that swings through the robot; empty: none.
   std::function<bool(const Configuration& start, const Reach&, const std::vector<ArmPositions>&)> accept;
   std::size_t most_reaches = 60;   // per stand

@@ -46,6 +46,7 @@ class Workbench {
   const scene::Scene& scene() const { return scene_; }
   const ManipulationParams& params() const { return params_; }
   CollisionChecker& checker() { return checker_; }
+  const CollisionChecker& checker() const { return checker_; }
   const robot::ArmKinematics& arm(std::size_t i) const { return arms_[i]; }
   std::size_t arm_count() const { return arms_.size(); }
 

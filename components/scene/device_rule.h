@@ -62,8 +62,8 @@ struct RegionRule {
 // A movable thing gives a value to another by being brought to it.
 struct ContactRule {
   enum class Trigger {
-    kPour,     // tilted beyond pour_tilt with its mouth above the receiver's
-    kInside,   // its origin lies in the receiver's cavity
+    kPour,     // tilted beyond pour_tilt with its lip above the receiver's mouth
+    kInside,   // its lowest point lies in the receiver's cavity, and no hand holds it
     kDip,      // the tip of the tool lies in the source's cavity (scoop: the tool receives)
     kSqueeze,  // as kPour while two fingers press it
   };

@@ -34,6 +34,7 @@ ObjectModel read_model(const std::string& name, YamlReader& reader) {
     hollow.depth = cavity->number("depth", 0.001, 2.0);
     hollow.pour_tilt = cavity->number("pour_tilt", 10.0, 170.0, 70.0) * std::numbers::pi / 180.0;
     hollow.liquid = cavity->flag("liquid", true);
+    hollow.slot = cavity->flag("slot", false);
     cavity->finish();
     model.cavity = hollow;
   }

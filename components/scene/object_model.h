@@ -17,6 +17,9 @@ struct Cavity {
   double depth = 0.0;             // [m] from the opening to the bottom
   double pour_tilt = 1.2;         // [rad] angle between the mouth's z and up beyond which contents run out
   bool liquid = true;             // holds liquids (a bin or a bag does not)
+  bool slot = false;              // a slit along the mouth's x: only what is aligned with it goes in
+
+  bool shallow() const { return depth < 0.5 * radius; }  // carries (a plate) rather than contains (a cup)
 };
 
 // Frame: origin in the middle of the footprint on the resting plane (z = 0 is what touches the table), z up.

@@ -6,13 +6,6 @@
 #include "components/world_model/geometry.h"
 
 namespace goalnet::world_model {
-namespace {
-
-// A deep hollow contains (a cup, a bowl); a shallow one carries (a plate).
-bool is_shallow(const scene::Cavity& cavity) { return cavity.depth < 0.5 * cavity.radius; }
-
-}  // namespace
-
 Support::Support(const scene::Scene& scene, const Params& params) : scene_(scene), params_(params) {
   for (const scene::Region& region : scene.regions) {
     const scene::Fixture* fixture = scene.find_fixture(region.fixture);
@@ -118,7 +111,7 @@ bool Support::in_region(const Extent& extent, const scene::Pose& frame, const sc
 bool Support::in_object(std::size_t object, std::size_t other, bool loose) const {
   if (object == other || !objects_[other].known) return false;
   const scene::ObjectModel& model = scene_.model_of(scene_.objects[other]);
-  if (!model.cavity || is_shallow(*model.cavity)) return false;
+  if (!model.cavity || model.cavity->shallow()) return false;
   const scene::Pose mouth = objects_[other].pose * model.cavity->mouth;
   if (mouth.linear().col(2).z() < 0.5) return false;  // lies on its side
   const double margin = loose ? params_.edge.exit : params_.edge.enter;
@@ -137,7 +130,7 @@ bool Support::on_object(std::size_t object, std::size_t other, bool loose, doubl
   const scene::ObjectModel& model = scene_.model_of(scene_.objects[other]);
   // A shallow hollow carries on its floor, everything else on its top.
   double top = extents_[other].highest;
-  const bool shallow = model.cavity && is_shallow(*model.cavity);
+  const bool shallow = model.cavity && model.cavity->shallow();
   if (model.cavity && !shallow) return false;  // nothing stands on an open cup
   const double floor =
       shallow ? (objects_[other].pose * model.cavity->mouth).translation().z() - model.cavity->depth : top;

@@ -11,7 +11,7 @@
   (:types
     thing robot part value holder count - object
     surface container appliance item - thing
-    vessel dish ingredient utensil bottle - item
+    vessel dish ingredient utensil bottle tub - item
     compartment button knob door scoop - part
     content - value
     pourable - content)
@@ -32,7 +32,8 @@
     Ramen_1 BoiledEgg_1 Salt_1 - ingredient
     Spoon_1 Fork_1 - utensil
     Syrup_1 Syrup_2 - bottle
-    IceCream_1 Tv_1Remote_1 BagOfChips_1 Cd_1 Cd_2 - item
+    IceCream_1 - tub
+    Tv_1Remote_1 BagOfChips_1 Cd_1 Cd_2 - item
     ; parts
     FridgeLeft FridgeRight - compartment
     FridgeLeftDoor FridgeRightDoor - door
@@ -64,8 +65,10 @@
     (AtHand ?o - thing))
 
   (:derived (InHand ?o - thing) (and (Grasping Robot ?o) (not (Held ?o Tray))))
-  ; Within reach of the other hand: held, on the tray, or standing nearby.
-  (:derived (AtHand ?o - thing) (or (Grasping Robot ?o) (Near Robot ?o)))
+  ; Within reach of the other hand: held, on the tray, or standing nearby, but not where a hand has no room to pour or scoop.
+  (:derived (AtHand ?o - thing)
+    (or (Grasping Robot ?o)
+        (and (Near Robot ?o) (not (In ?o Microwave)) (not (In ?o Fridge)) (not (In ?o FridgeLeft)) (not (In ?o FridgeRight)))))
 
   (:action moveto
     :parameters (?o - thing)
@@ -150,7 +153,9 @@
       (imply (= ?container Microwave) (state Microwave DoorIsOpen))
       (imply (= ?container FridgeLeft) (and (Near Robot Fridge) (state Fridge LeftDoorIsOpen)))
       (imply (= ?container FridgeRight) (and (Near Robot Fridge) (state Fridge RightDoorIsOpen)))
-      (or (= ?container FridgeLeft) (= ?container FridgeRight) (Near Robot ?container)))
+      (or (= ?container FridgeLeft) (= ?container FridgeRight) (Near Robot ?container)
+          ; the other hand may hold the bag
+          (and (= ?container GarbageBag_1) (InHand GarbageBag_1))))
     :effect (and
       (not (Grasping Robot ?x))
       (forall (?h - holder) (not (Held ?x ?h)))
@@ -319,13 +324,13 @@
       (when (= ?what IceCreamScoop) (and (state ?x IceCream) (not (state Spoon_1 ScoopsLeft))))))
 
   (:action scoop
-    :parameters (?spoon - utensil ?source - item)
-    :precondition (and (InHand ?spoon) (AtHand ?source) (not (= ?spoon ?source)) (state ?source ScoopsLeft))
+    :parameters (?spoon - utensil ?source - tub)
+    :precondition (and (InHand ?spoon) (AtHand ?source) (state ?source ScoopsLeft))
     :effect (state ?spoon ScoopsLeft))
 
   (:action squeeze
-    :parameters (?x - thing ?y - (either vessel dish))
-    :precondition (and (InHand ?x) (IsSqueezeable ?x) (AtHand ?y) (not (= ?x ?y)))
+    :parameters (?x - bottle ?y - (either vessel dish tub))
+    :precondition (and (InHand ?x) (IsSqueezeable ?x) (AtHand ?y))
     :effect (forall (?c - pourable) (when (state ?x ?c) (state ?y ?c))))
 
   (:action insert

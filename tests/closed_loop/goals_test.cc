@@ -11,6 +11,8 @@ struct Case {
   const char* name;
   std::vector<std::string> goals;
   int seed;
+  const char* room = "kitchen";
+  std::vector<std::string> by = {};  // actions that the plan must have contained
 };
 
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
@@ -18,12 +20,14 @@ void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 class ByGoal : public testing::TestWithParam<Case> {};
 
 TEST_P(ByGoal, IsReachedInTheWorld) {
-  std::vector<std::string> arguments = {"--seed", std::to_string(GetParam().seed)};
+  std::vector<std::string> arguments = {"--scene", GetParam().room, "--seed",
+                                        std::to_string(GetParam().seed)};
   for (const std::string& goal : GetParam().goals) arguments.insert(arguments.end(), {"--goal", goal});
   const RunResult result = run_json(arguments, 84);
   EXPECT_EQ(result.exit_code, 0) << result.json["message"];
   EXPECT_EQ(result.json["outcome"], "done");
   for (const std::string& goal : GetParam().goals) EXPECT_TRUE(result.holds(goal)) << goal;
+  for (const std::string& action : GetParam().by) EXPECT_THAT(result.actions(), testing::Contains(action));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -40,6 +44,55 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"hot_kettle",
              {"(state Kettle Water)", "(On Kettle StoveFire_1)", "(state Stove StoveFire1)"},
              1}),
+    [](const testing::TestParamInfo<Case>& one) { return std::string(one.param.name); });
+
+// Every action of the household domain in physics; what one hand holds and the other works on included.
+INSTANTIATE_TEST_SUITE_P(
+    Contents, ByGoal,
+    testing::Values(Case{"tap_off_again",
+                         {"(state Mug_1 Water)", "not (state SinkKnob TapIsOn)"},
+                         2,
+                         "kitchen",
+                         {"turn-off SinkKnob"}},
+                    Case{"coke_in_glass",
+                         {"(state Glass_1 Coke)", "not (state Coke_1 Coke)"},
+                         3,
+                         "kitchen",
+                         {"pour Coke_1 Glass_1"}},
+                    Case{"emptied", {"not (state Mug_1 Coffee)"}, 1, "kitchen", {"pour-out Mug_1"}},
+                    Case{"salt", {"(state Bowl_1 Salt)"}, 2, "kitchen", {"add Salt_1 Bowl_1"}},
+                    Case{"syrup", {"(state Plate_1 Chocolate)"}, 1, "kitchen", {"squeeze Syrup_2 Plate_1"}},
+                    Case{"ice_cream",
+                         {"(state Mug_1 IceCream)"},
+                         1,
+                         "kitchen",
+                         {"scoop Spoon_1 IceCream_1", "add IceCreamScoop Mug_1"}},
+                    Case{"ramen_in_kettle", {"(state Kettle Ramen)"}, 3, "kitchen", {"add Ramen_1 Kettle"}},
+                    Case{"egg_on_plate", {"(state Plate_1 Egg)"}, 2, "kitchen", {"add BoiledEgg_1 Plate_1"}},
+                    Case{"spoon_in_mug",
+                         {"(state Mug_1 spoon)", "(In Spoon_1 Mug_1)"},
+                         2,
+                         "kitchen",
+                         {"place-utensil Spoon_1 Mug_1"}},
+                    Case{"fork_on_plate", {"(On Fork_1 Plate_1)"}, 1, "kitchen", {"keep-on Fork_1 Plate_1"}}),
+    [](const testing::TestParamInfo<Case>& one) { return std::string(one.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    LivingRoom, ByGoal,
+    testing::Values(
+        Case{"chips_in_bin",
+             {"(In BagOfChips_1 GarbageBin_1)"},
+             1,
+             "living_room",
+             {"keep-in BagOfChips_1 GarbageBin_1"}},
+        Case{"can_in_bag", {"(In Coke_1 GarbageBag_1)"}, 2, "living_room", {"keep-in Coke_1 GarbageBag_1"}},
+        Case{"bag_in_bin", {"(In GarbageBag_1 GarbageBin_1)"}, 3, "living_room"},
+        Case{"disc_in_xbox", {"(state Xbox_1 CD)"}, 1, "living_room"},
+        Case{"channel_4",
+             {"(state Tv_1 IsOn)", "(state Tv_1 Channel4)"},
+             1,
+             "living_room",
+             {"press Tv_1ChannelUpButton"}}),
     [](const testing::TestParamInfo<Case>& one) { return std::string(one.param.name); });
 
 }  // namespace

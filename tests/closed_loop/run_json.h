@@ -14,7 +14,9 @@ struct RunResult {
   int exit_code = -1;
   nlohmann::json json;
 
+  // "not (…)": the fact is absent.
   bool holds(const std::string& fact) const {
+    if (fact.starts_with("not ")) return !holds(fact.substr(4));
     const auto& facts = json["facts"];
     return std::find(facts.begin(), facts.end(), fact) != facts.end();
   }

@@ -1,0 +1,171 @@
+#include "components/manipulation/put_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "components/manipulation/phases.h"
+
+namespace goalnet::manipulation {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+constexpr double kApproach = 0.10;   // [m] straight down from above
+constexpr double kPlay = 0.004;      // [m] that a round thing must have all around to go through a mouth
+constexpr double kThrough = 0.0008;  // [m] that it must have from everything on its way down
+
+Pose turned(const Vector3d& at, double heading) {
+  Pose pose = Pose::Identity();
+  pose.linear() = AngleAxisd(heading, Vector3d::UnitZ()).toRotationMatrix();
+  pose.translation() = at;
+  return pose;
+}
+
+// Largest distance of any material from the z axis [m]: what must pass through a round mouth.
+double girth(const scene::ObjectModel& model) {
+  double most = 0;
+  for (const auto& shape : model.shapes) {
+    const Vector3d half = scene::half_extents(shape);
+    const Vector3d at = shape.pose.translation();
+    const Eigen::Matrix3d turn = shape.pose.linear();
+    if (shape.kind == scene::ShapeKind::kSphere ||
+        (shape.kind == scene::ShapeKind::kCylinder && turn(2, 2) > 0.99)) {
+      most = std::max(most, at.head<2>().norm() + half.x());
+      continue;
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3d sign((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
+      most = std::max(most, (shape.pose * Vector3d(half.cwiseProduct(sign))).head<2>().norm());
+    }
+  }
+  return most;
+}
+
+void add_descent(std::vector<PutWay>& ways, const Pose& end, double preference, double gap,
+                 double height = kApproach) {
+  ways.push_back({{moved(end, {0, 0, height}), end}, gap, preference});
+}
+
+// Upright on the floor of a plate.
+void lay(std::vector<PutWay>& ways, const scene::ObjectModel& model, const Pose& mouth,
+         const scene::Cavity& cavity) {
+  const double slack = std::max(0.0, 0.8 * cavity.radius - girth(model));
+  for (const double share : {0.0, 0.6}) {
+    for (int direction = 0; direction < (share > 0 && slack > 0.01 ? 6 : 1); ++direction) {
+      const double angle = direction * std::numbers::pi / 3;
+      const Vector3d at = mouth * Vector3d(share * slack * std::cos(angle), share * slack * std::sin(angle),
+                                           -cavity.depth + 0.004);
+      for (int h = 0; h < 12; ++h) add_descent(ways, turned(at, h * std::numbers::pi / 6), share, -0.001);
+    }
+  }
+}
+
+// Through a mouth: in its middle or beside (under a kettle's handle there is no middle), as low as the hand
+// gets. All the way down must be free.
+void drop(std::vector<PutWay>& ways, const Workbench& bench, const std::string& object, const Pose& mouth,
+          const scene::Cavity& cavity) {
+  const double slack = cavity.radius - girth(*bench.scene().find_model_of(object)) - kPlay;
+  const double yaw = std::atan2(mouth.linear()(1, 0), mouth.linear()(0, 0));
+  for (const double share : {0.0, 0.6, 1.15, 1.35}) {
+    for (int direction = 0; direction < (share == 0 ? 1 : 8); ++direction) {
+      const double angle = direction * std::numbers::pi / 4;
+      for (int h = 0; h < 12; ++h) {
+        Vector3d at(share * slack * std::cos(angle), share * slack * std::sin(angle), 0);
+        const auto pose_at = [&](double depth) {
+          at.z() = depth;
+          return turned(mouth * at, yaw + h * std::numbers::pi / 6);
+        };
+        const auto fits = [&](double depth) {
+          return bench.checker().object_fits(object, pose_at(depth), kThrough, {});
+        };
+        const double deepest = std::max(-0.06, 0.01 - cavity.depth);
+        double free = deepest;  // everything below is
+        if (!fits(deepest)) continue;
+        while (free < 0.11 && fits(free + 0.01)) free += 0.01;
+        for (const double depth : {deepest, 0.008, 0.05, 0.11}) {
+          if (depth <= free + 1e-6)
+            add_descent(ways, pose_at(depth), share + 4.0 * std::abs(depth - 0.008), 0.003);
+        }
+      }
+    }
+  }
+}
+
+// A long thing's far end (+x) goes in first and leans on the edge when it is let go.
+void stand_in(std::vector<PutWay>& ways, const scene::ObjectModel& model, const Pose& mouth,
+              const scene::Cavity& cavity) {
+  const auto box = scene::bounds(model.shapes);
+  const Vector3d tip(box.upper.x(), 0, 0.5 * (box.lower.z() + box.upper.z()));
+  for (const double lean : {1.45, 1.2, 1.0, 0.8, 0.6}) {  // [rad] below level
+    // Flat in a plate the tip lies far across, so that the handle rests on the near edge.
+    const double across = 0.6 * cavity.radius * std::cos(lean);
+    for (const double share : {0.85, 0.5, 0.35}) {
+      for (int h = 0; h < 16; ++h) {
+        const double heading = h * std::numbers::pi / 8;
+        const Vector3d ahead(std::cos(heading), std::sin(heading), 0);
+        const auto pose_at = [&](double down, double height) {
+          Pose pose = Pose::Identity();
+          pose.linear() = (AngleAxisd(heading, Vector3d::UnitZ()) * AngleAxisd(down, Vector3d::UnitY()))
+                              .toRotationMatrix();
+          pose.translation() =
+              mouth.translation() + across * ahead + Vector3d(0, 0, height) - pose.linear() * tip;
+          return pose;
+        };
+        PutWay way;
+        // On the way there it must not lean more than things carried may.
+        way.object = {pose_at(std::min(lean, 0.6), 0.06), pose_at(lean, 0.06),
+                      pose_at(lean, -share * cavity.depth)};
+        way.gap = -0.001;
+        // Steep into deep things, flat into shallow ones.
+        const double best = cavity.depth > 0.5 * cavity.radius ? 1.2 : 0.6;
+        way.preference = std::abs(lean - best) + 2.0 * (0.85 - share);
+        ways.push_back(std::move(way));
+      }
+    }
+  }
+}
+
+// Along a slot: x along its x, either way round.
+void slide(std::vector<PutWay>& ways, const Pose& mouth, const scene::Cavity& cavity) {
+  for (const double turn : {0.0, std::numbers::pi}) {
+    Pose end = mouth;
+    end.linear() = mouth.linear() * AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix();
+    end.translation() -= mouth.linear().col(2) * (cavity.depth - 0.002);
+    add_descent(ways, end, 0.0, 0.0005, cavity.depth + 0.03);
+  }
+}
+
+}  // namespace
+
+Expected<std::vector<PutWay>> put_ways(const Workbench& bench, const std::string& object,
+                                       const std::string& receiver, const Pose& pose) {
+  const auto* model = bench.scene().find_model_of(object);
+  const auto* holder = bench.scene().find_model_of(receiver);
+  if (model == nullptr || holder == nullptr || !holder->cavity)
+    return fail(Outcome::kMotionFailed, receiver + " has no opening to put something into");
+  const scene::Cavity& cavity = *holder->cavity;
+  const Pose mouth = pose * cavity.mouth;
+  if (mouth.linear()(2, 2) < 0.9) return fail(Outcome::kMotionFailed, receiver + " does not stand upright");
+  std::vector<PutWay> ways;
+  if (cavity.slot) {
+    slide(ways, mouth, cavity);
+  } else if (model->has_property("IsPlacable")) {
+    stand_in(ways, *model, mouth, cavity);
+  } else if (cavity.shallow()) {
+    lay(ways, *model, mouth, cavity);
+  } else if (girth(*model) + kPlay > cavity.radius) {
+    return fail(Outcome::kMotionFailed, object + " does not fit through the opening of " + receiver);
+  } else {
+    drop(ways, bench, object, mouth, cavity);
+  }
+  // What stands around may be in the way: no use in asking the arm.
+  std::erase_if(ways, [&](const PutWay& way) {
+    return !bench.checker().object_fits(object, way.object.front(), bench.params().margin, {}) ||
+           !bench.checker().object_fits(object, way.object.back(), way.gap, {});
+  });
+  return ways;
+}
+
+}  // namespace goalnet::manipulation
