@@ -122,9 +122,24 @@ class Search {
       const CollisionQuery all{&bench_.checker().all_parts(), bench_.params().drive_margin, nullptr, true};
       if (bench_.checker().collides(q, all)) return std::nullopt;
     }
+    // Raising the lift takes the other arms along.
+    std::vector<bool> blocked(bench_.arm_count(), false);
+    if (!candidate.drives && std::abs(candidate.stand.lift - bench_.stand_of(bench_.now()).lift) > 1e-4) {
+      for (std::size_t arm = 0; arm < blocked.size(); ++arm) {
+        const CollisionQuery query{&bench_.checker().arm_parts(arm), bench_.params().contact_margin, nullptr,
+                                   true};
+        blocked[arm] = bench_.checker().collides(q, query);
+      }
+    }
+    const auto others_are_free = [&](std::size_t arm) {
+      for (std::size_t other = 0; other < blocked.size(); ++other)
+        if (other != arm && blocked[other]) return false;
+      return true;
+    };
     std::size_t place = 0;
     for (const std::size_t index : order_) {
       if (place >= to || tries_ >= options_.most_tries) break;
+      if (!others_are_free(reaches_[index].arm)) continue;
       if (options_.stand_only) {
         ++tries_;
         if (options_.accept && !options_.accept(q, reaches_[index], {})) continue;
