@@ -71,17 +71,15 @@ int vessel_below(const scene::Scene& scene, const std::vector<scene::Pose>& obje
   return best;
 }
 
+bool pours(const scene::ObjectModel& giver, const scene::Pose& pose) {
+  // A spoon, which has no cavity: turned over.
+  return giver.cavity ? mouth_tilt(giver, pose) >= giver.cavity->pour_tilt : pose.linear()(2, 2) <= 0.35;
+}
+
 bool pours_into(const scene::ObjectModel& giver, const scene::Pose& giver_pose,
                 const scene::ObjectModel& receiver, const scene::Pose& receiver_pose) {
-  if (!receiver.cavity || !upright(receiver, receiver_pose)) return false;
-  Eigen::Vector3d from;
-  if (giver.cavity) {
-    if (mouth_tilt(giver, giver_pose) < giver.cavity->pour_tilt) return false;
-    from = lip(giver, giver_pose);
-  } else {  // a spoon: turned over
-    if (giver_pose.linear()(2, 2) > 0.35) return false;
-    from = tool_tip(giver, giver_pose);
-  }
+  if (!receiver.cavity || !upright(receiver, receiver_pose) || !pours(giver, giver_pose)) return false;
+  const Eigen::Vector3d from = giver.cavity ? lip(giver, giver_pose) : tool_tip(giver, giver_pose);
   const Eigen::Vector3d mouth = mouth_of(receiver, receiver_pose).translation();
   // A stream spreads a little: 1 cm beyond the edge still counts.
   return (mouth - from).head<2>().norm() < receiver.cavity->radius + 0.01 && from.z() > mouth.z() - 0.01 &&
@@ -101,12 +99,19 @@ Eigen::Vector3d lowest_point(const scene::ObjectModel& model, const scene::Pose&
   for (const auto& shape : model.shapes) {
     const scene::Pose pose = object * shape.pose;
     const Eigen::Vector3d half = scene::half_extents(shape);
-    for (int corner = 0; corner < 8; ++corner) {
-      const Eigen::Vector3d sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
-                                 (corner & 4) != 0 ? 1 : -1);
-      const Eigen::Vector3d point = pose * Eigen::Vector3d(half.cwiseProduct(sign));
-      if (point.z() < lowest.z()) lowest = point;
+    const Eigen::Vector3d down =
+        -(pose.linear().transpose() * Eigen::Vector3d::UnitZ());  // in the shape's frame
+    Eigen::Vector3d local = down * half.x();                      // sphere
+    if (shape.kind != scene::ShapeKind::kSphere) {
+      for (int axis = 0; axis < 3; ++axis) local[axis] = down[axis] < 0.0 ? -half[axis] : half[axis];
     }
+    if (shape.kind == scene::ShapeKind::kCylinder) {
+      const double across = down.head<2>().norm();
+      local.head<2>() =
+          across < 1e-6 ? Eigen::Vector2d::Zero() : Eigen::Vector2d(down.head<2>() / across * half.x());
+    }
+    const Eigen::Vector3d point = pose * local;
+    if (point.z() < lowest.z()) lowest = point;
   }
   return lowest;
 }

@@ -26,6 +26,9 @@ Eigen::Vector3d outlet_position(const scene::Scene& scene, const scene::FillRule
 int vessel_below(const scene::Scene& scene, const std::vector<scene::Pose>& objects,
                  const Eigen::Vector3d& outlet, double reach);
 
+// Whether contents run out of something at this pose, wherever they run to.
+bool pours(const scene::ObjectModel& giver, const scene::Pose& pose);
+
 // Tilted so far that contents run over the lip, and the stream from the lip falls into the receiver's upright
 // mouth.
 bool pours_into(const scene::ObjectModel& giver, const scene::Pose& giver_pose,

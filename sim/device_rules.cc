@@ -147,23 +147,32 @@ void DeviceRules::update_regions(const DeviceInput& input, double dt) {
   }
 }
 
-bool DeviceRules::triggered(const scene::ContactRule& rule, const DeviceInput& input, std::size_t giver,
-                            std::size_t receiver) const {
+// The part of a trigger that only the giver decides: most things stand upright or are far from giving
+// anything.
+bool DeviceRules::gives(const scene::ContactRule& rule, const DeviceInput& input, std::size_t giver) const {
   using Trigger = scene::ContactRule::Trigger;
-  const scene::ObjectModel& from = scene_->model_of(scene_->objects[giver]);
-  const scene::ObjectModel& to = scene_->model_of(scene_->objects[receiver]);
+  const scene::ObjectModel& model = scene_->model_of(scene_->objects[giver]);
   switch (rule.trigger) {
     case Trigger::kPour:
-      return pours_into(from, input.objects[giver], to, input.objects[receiver]);
+      return pours(model, input.objects[giver]);
     case Trigger::kSqueeze:
-      return input.held[giver] && pours_into(from, input.objects[giver], to, input.objects[receiver]);
+      return input.held[giver] && pours(model, input.objects[giver]);
     case Trigger::kInside:  // let go of: a spoon that a hand dips into something is not put there
-      return !input.held[giver] &&
-             inside_cavity(to, input.objects[receiver], lowest_point(from, input.objects[giver]));
+      return !input.held[giver];
     case Trigger::kDip:
-      return inside_cavity(to, input.objects[receiver], tool_tip(from, input.objects[giver]));
+      return true;
   }
   return false;
+}
+
+bool DeviceRules::reaches(const scene::ContactRule& rule, const DeviceInput& input, std::size_t giver,
+                          const Eigen::Vector3d& point, std::size_t receiver) const {
+  using Trigger = scene::ContactRule::Trigger;
+  const scene::ObjectModel& to = scene_->model_of(scene_->objects[receiver]);
+  if (rule.trigger == Trigger::kInside || rule.trigger == Trigger::kDip)
+    return inside_cavity(to, input.objects[receiver], point);
+  const scene::ObjectModel& from = scene_->model_of(scene_->objects[giver]);
+  return pours_into(from, input.objects[giver], to, input.objects[receiver]);
 }
 
 void DeviceRules::transfer(const scene::ContactRule& rule, const std::string& giver,
@@ -193,15 +202,22 @@ void DeviceRules::update_contacts(const DeviceInput& input, double dt) {
       // vessels.
       const auto& cavity = scene_->model_of(objects[i]).cavity;
       if (rules[r].object.empty() && !(cavity && cavity->liquid)) continue;
+      if (!gives(rules[r], input, i)) {
+        clocks_.erase(clocks_.lower_bound(clock_key(Clock::kContact, r, i)),
+                      clocks_.lower_bound(clock_key(Clock::kContact, r, i + 1)));
+        continue;
+      }
+      const scene::ObjectModel& model = scene_->model_of(objects[i]);
+      const bool dips = rules[r].trigger == scene::ContactRule::Trigger::kDip;
+      const Eigen::Vector3d point =
+          dips ? tool_tip(model, input.objects[i]) : lowest_point(model, input.objects[i]);
       for (std::size_t j = 0; j < objects.size(); ++j) {
         if (i == j || (!rules[r].receiver.empty() && rules[r].receiver != objects[j].name)) continue;
         if (!scene_->model_of(objects[j]).cavity) continue;
-        const std::string& needed_of =
-            rules[r].trigger == scene::ContactRule::Trigger::kDip ? objects[j].name : objects[i].name;
-        const bool ready = rules[r].needs.empty() || facts_.contains(state(needed_of, rules[r].needs));
-        if (!elapsed(clock_key(Clock::kContact, r, i, j), ready && triggered(rules[r], input, i, j),
-                     rules[r].after, dt))
-          continue;
+        const std::string& needed_of = dips ? objects[j].name : objects[i].name;
+        const bool active = reaches(rules[r], input, i, point, j) &&
+                            (rules[r].needs.empty() || facts_.contains(state(needed_of, rules[r].needs)));
+        if (!elapsed(clock_key(Clock::kContact, r, i, j), active, rules[r].after, dt)) continue;
         transfer(rules[r], objects[i].name, objects[j].name);
       }
     }

@@ -45,8 +45,10 @@ class DeviceRules {
   void update_regions(const DeviceInput& input, double dt);
   void update_contacts(const DeviceInput& input, double dt);
   void update_spills(const DeviceInput& input, double dt);
-  bool triggered(const scene::ContactRule& rule, const DeviceInput& input, std::size_t giver,
-                 std::size_t receiver) const;
+  bool gives(const scene::ContactRule& rule, const DeviceInput& input, std::size_t giver) const;
+  // Whether what is given gets into the receiver; `point`: of the giver, that must lie in the hollow.
+  bool reaches(const scene::ContactRule& rule, const DeviceInput& input, std::size_t giver,
+               const Eigen::Vector3d& point, std::size_t receiver) const;
   void transfer(const scene::ContactRule& rule, const std::string& giver, const std::string& receiver);
 
   const scene::Scene* scene_;

@@ -37,6 +37,8 @@ void Physics::add_static(const std::string& name, const scene::Pose& pose,
     body.object->setCollisionShape(body.shape.get());
     body.object->setWorldTransform(to_bullet(scene::Pose(pose * shape.pose)));
     body.object->setFriction(friction);
+    // Asleep, as Bullet does with its own static bodies: what sleeps on a worktop is then left alone.
+    body.object->setActivationState(ISLAND_SLEEPING);
     body.object->setUserIndex(register_name(name));
     colors_.back() = {shape.color};
     world_.addCollisionObject(body.object.get(), kStaticGroup, kRobotGroup | kObjectGroup);

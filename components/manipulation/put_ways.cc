@@ -98,24 +98,27 @@ void stand_in(std::vector<PutWay>& ways, const scene::ObjectModel& model, const 
               const scene::Cavity& cavity) {
   const auto box = scene::bounds(model.shapes);
   const Vector3d tip(box.upper.x(), 0, 0.5 * (box.lower.z() + box.upper.z()));
-  for (const double lean : {1.45, 1.2, 1.0, 0.8, 0.6}) {  // [rad] below level
+  for (const double lean : {1.5, 1.2, 1.0, 0.8, 0.6}) {  // [rad] below level
     // Flat in a plate the tip lies far across, so that the handle rests on the near edge.
     const double across = 0.6 * cavity.radius * std::cos(lean);
-    for (const double share : {0.85, 0.5, 0.35}) {
+    // The last ones end just inside the mouth, beside what spans it.
+    for (const auto& [share, beside] :
+         {std::pair{0.85, 0.0}, {0.5, 0.0}, {0.35, 0.0}, {0.1, 0.6}, {0.1, -0.6}}) {
       for (int h = 0; h < 16; ++h) {
         const double heading = h * std::numbers::pi / 8;
         const Vector3d ahead(std::cos(heading), std::sin(heading), 0);
+        const Vector3d at = across * ahead + beside * cavity.radius * Vector3d(-ahead.y(), ahead.x(), 0);
+        const double above = beside == 0.0 ? 0.06 : 0.16;
         const auto pose_at = [&](double down, double height) {
           Pose pose = Pose::Identity();
           pose.linear() = (AngleAxisd(heading, Vector3d::UnitZ()) * AngleAxisd(down, Vector3d::UnitY()))
                               .toRotationMatrix();
-          pose.translation() =
-              mouth.translation() + across * ahead + Vector3d(0, 0, height) - pose.linear() * tip;
+          pose.translation() = mouth.translation() + at + Vector3d(0, 0, height) - pose.linear() * tip;
           return pose;
         };
         PutWay way;
         // On the way there it must not lean more than things carried may.
-        way.object = {pose_at(std::min(lean, 0.6), 0.06), pose_at(lean, 0.06),
+        way.object = {pose_at(std::min(lean, 0.6), above), pose_at(lean, above),
                       pose_at(lean, -share * cavity.depth)};
         way.gap = -0.001;
         // Steep into deep things, flat into shallow ones.

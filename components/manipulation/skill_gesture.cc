@@ -17,7 +17,8 @@ constexpr double kOver[] = {0.05,
                             0.11};  // [m] the lip above the receiver's mouth when things run: low is neat
 constexpr double kClear = 0.02;     // [m] everything else above it at any time
 constexpr double kBeyond = 0.20;    // [rad] more tilt than what makes contents run
-constexpr double kTiltStep = 0.20;  // [rad]
+constexpr std::size_t kReserveTag = 100'000;  // ways in reserve are numbered from here
+constexpr double kTiltStep = 0.20;            // [rad]
 
 // The object's pose with one of its points pinned and leaning by `tilt` towards `heading`, turned by `roll`
 // about its own axis before.
@@ -45,8 +46,9 @@ struct Gesture {
 
 // Pouring over a lip, seen from the hand: sideways by turning the wrist is what hands do best. The whole
 // thing stays above the receiver's mouth while it leans: a full cup starts higher and comes down as it tilts.
-std::vector<Gesture> pours(const scene::ObjectModel& model, const Vector3d& mouth,
-                           const Pose& tool_in_object) {
+// `reserve`: only for a search that failed otherwise.
+std::vector<Gesture> pours(const scene::ObjectModel& model, const Vector3d& mouth, const Pose& tool_in_object,
+                           bool reserve) {
   std::vector<Gesture> out;
   const double most = std::min(model.cavity->pour_tilt + kBeyond, std::numbers::pi - 0.05);
   const Vector3d hand = tool_in_object.linear().col(2);
@@ -61,7 +63,9 @@ std::vector<Gesture> pours(const scene::ObjectModel& model, const Vector3d& mout
       const double short_of = mouth.z() + kClear - lowest_height(model.shapes, low);
       return moved(low, {0, 0, std::max(0.0, short_of)});
     };
+    if (reserve && std::abs(std::remainder(beside, 90.0)) > 1.0) continue;
     for (const double over : kOver) {
+      if (reserve ? over == kOver[0] : over == kOver[2]) continue;
       for (int h = 0; h < 12; ++h) {
         const double heading = h * std::numbers::pi / 6;
         Gesture gesture;
@@ -107,28 +111,43 @@ std::optional<Vector3d> drain(const scene::Scene& scene) {
 
 }  // namespace
 
-// All ways to make the gesture over a mouth at a pose.
-std::vector<Reach> GestureSkill::ways(const Workbench& bench, std::size_t arm, const Vector3d& mouth) const {
+// The ways to make the gesture over a mouth (z up), at most a given distance from its middle. In reserve:
+// higher and beside the middle, because something spans the mouth (a kettle's handle).
+std::vector<Reach> GestureSkill::ways(const Workbench& bench, std::size_t arm, const Pose& mouth,
+                                      double beside, bool reserve) const {
   const auto& model = *bench.scene().find_model_of(tool_);
   const Pose grip = bench.held()[arm]->object_in_tool.inverse();
-  std::vector<Gesture> gestures;
-  if (kind_ == Kind::kScoop) {
-    gestures = dips(model, mouth + Vector3d(0, 0, 0.06), mouth - Vector3d(0, 0, 0.02), {0.8, 1.1, 0.6});
-  } else if (model.cavity) {
-    gestures = pours(model, mouth, grip);
-  } else {
-    gestures = dips(model, mouth + Vector3d(0, 0, 0.10), mouth + Vector3d(0, 0, 0.03), {1.35, 1.5});
+  std::vector<Vector3d> points{mouth.translation()};
+  if (reserve) {
+    points.clear();
+    for (const Vector3d& side :
+         {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, -1, 0)})
+      points.push_back(mouth * Vector3d(beside * side));
   }
   std::vector<Reach> reaches;
-  for (std::size_t i = 0; i < gestures.size(); ++i) {
-    if (failed_.contains(i)) continue;
-    Reach reach;
-    reach.arm = arm;
-    for (const auto& pose : gestures[i].poses) reach.tool.push_back(pose * grip);
-    reach.opening = bench.opening_of(bench.now(), arm);
-    reach.preference = gestures[i].preference;
-    reach.tag = i;
-    reaches.push_back(std::move(reach));
+  std::size_t tag = reserve ? kReserveTag : 0;
+  for (const Vector3d& point : points) {
+    const Vector3d higher(0, 0, reserve ? 0.12 : 0.0);
+    std::vector<Gesture> gestures;
+    if (kind_ == Kind::kScoop) {
+      gestures =
+          dips(model, point + Vector3d(0, 0, 0.06) + higher, point - Vector3d(0, 0, 0.02), {0.8, 1.1, 0.6});
+    } else if (model.cavity) {
+      gestures = pours(model, point, grip, reserve);
+    } else {
+      gestures = dips(model, point + Vector3d(0, 0, 0.10) + higher, point + Vector3d(0, 0, 0.03) + higher,
+                      {1.35, 1.5});
+    }
+    for (const auto& gesture : gestures) {
+      Reach reach;
+      reach.arm = arm;
+      reach.tag = tag++;
+      if (failed_.contains(reach.tag)) continue;
+      for (const auto& pose : gesture.poses) reach.tool.push_back(pose * grip);
+      reach.opening = bench.opening_of(bench.now(), arm);
+      reach.preference = gesture.preference;
+      reaches.push_back(std::move(reach));
+    }
   }
   return reaches;
 }
@@ -143,31 +162,39 @@ Expected<Phases> GestureSkill::attempt(Workbench& bench, int) {
   Reach reach;
   if (const auto other = receiver_.empty() ? std::nullopt : bench.arm_holding(receiver_)) {
     const auto& cavity = bench.scene().find_model_of(receiver_)->cavity;
-    auto both = find_two_hands(bench, *other, [&](const Pose& held) {
-      return ways(bench, arm, (held * cavity->mouth).translation());
-    });
+    auto both = find_two_hands(
+        bench, *other, [&](const Pose& held) { return ways(bench, arm, held * cavity->mouth, 0.0, false); });
     if (!both) return fail(both.error().outcome, what + ": " + both.error().message);
     reach = both->reaches[both->work.reach];
     add_go_to(phases, bench, both->work);
     add_hold_out(phases, *both);
     add_approach(phases, both->work, reach);
   } else {
-    Vector3d mouth = Vector3d::Zero();
+    Pose mouth = Pose::Identity();
+    double beside = 0;  // [m] from the middle of the mouth where it may still run in
     if (receiver_.empty()) {
       const auto sink = drain(bench.scene());
       if (!sink) return fail(Outcome::kMotionFailed, what + ": there is no sink here");
-      mouth = *sink;
+      mouth.translation() = *sink;
     } else if (const Pose* pose = bench.world().object(receiver_)) {
-      mouth = (*pose * bench.scene().find_model_of(receiver_)->cavity->mouth).translation();
+      const auto& cavity = *bench.scene().find_model_of(receiver_)->cavity;
+      mouth = *pose * cavity.mouth;
+      beside = 0.6 * cavity.radius;
     } else {
       return fail(Outcome::kMotionFailed, what + ": " + receiver_ + " cannot be seen");
     }
-    const auto reaches = ways(bench, arm, mouth);
     StandSearchOptions options;
-    options.most_reaches = reaches.size();
     options.backwards = !receiver_.empty() && bench.checker().rides(receiver_);
     options.may_drive = !options.backwards;
-    auto solution = find_stand(bench, reaches, options);
+    std::vector<Reach> reaches;
+    Expected<ReachSolution> solution = fail(Outcome::kMotionFailed, "");
+    for (const bool reserve : {false, true}) {
+      reaches = ways(bench, arm, mouth, beside, reserve);
+      options.most_reaches = reaches.size();
+      if (reserve) options.most_tries = 1'500;
+      solution = find_stand(bench, reaches, options);
+      if (solution || solution.error().outcome == Outcome::kCancelled || beside == 0) break;
+    }
     if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
     reach = reaches[solution->reach];
     add_go_to(phases, bench, *solution);

@@ -80,7 +80,8 @@ class GestureSkill : public Skill {
   Expected<Phases> attempt(Workbench& bench, int number) override;
 
  private:
-  std::vector<Reach> ways(const Workbench& bench, std::size_t arm, const Eigen::Vector3d& mouth) const;
+  std::vector<Reach> ways(const Workbench& bench, std::size_t arm, const Pose& mouth, double beside,
+                          bool reserve) const;
 
   Action action_;
   Kind kind_;
