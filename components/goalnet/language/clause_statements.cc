@@ -3,16 +3,12 @@
 #include <array>
 
 #include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
 
 namespace goalnet::inference {
 namespace {
 
 using std::string_view_literals::operator""sv;
-
-template <std::size_t N>
-bool one_of(const std::string& word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,     "she"sv,
                                   "im"sv, "somebody"sv, "someone"sv, "nobody"sv, "everyone"sv};

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "components/goalnet/language/symbol_list.h"
+
 namespace goalnet::inference {
 namespace {
 
 using namespace symbol;
-
-bool contains(const std::vector<Symbol>& list, Symbol symbol) {
-  return std::find(list.begin(), list.end(), symbol) != list.end();
-}
 
 void heat_things_at(Symbol place, SymState& state) {
   const std::vector<SymFact> facts = state.facts();  // a copy: the state changes

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "components/goalnet/language/symbol_list.h"
+
 namespace goalnet::inference {
 namespace {
 
@@ -10,10 +12,6 @@ using namespace symbol;
 constexpr int kFault = 1;         // of an adjective
 constexpr int kGraveFault = 100;  // names another object: wrong number, wrong content
 constexpr double kFar = 1000.0;
-
-bool contains(const std::vector<Symbol>& list, Symbol symbol) {
-  return std::find(list.begin(), list.end(), symbol) != list.end();
-}
 
 // The number at the end of a name: "Pillow_4" -> 4.
 int number_of(const std::string& name) {

@@ -1,0 +1,153 @@
+// A command: a verb, then its things and places to the end of the clause.
+#include <algorithm>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
+  Clause clause;
+  clause.mood = mood;
+  clause.wish = words_[at] == "wish" || words_[at] == "have";
+  clause.verb = clause.wish ? "bring" : language_.verb_base(words_[at]);
+  clause.frame = clause.wish ? Frame::kTake : language_.verb(words_[at]);
+  clause.words = {clause.verb};
+  clause.phrases = fronted_;
+  fronted_.clear();
+  Role role = Role::kDirect;
+  Where where = Where::kTo;
+  std::size_t i = at + 1;
+  // "start boiling water", "go get the mug", "try to open it": the second verb is the one that counts
+  if (clause.frame == Frame::kGo || clause.frame == Frame::kStart || clause.frame == Frame::kTry ||
+      clause.frame == Frame::kStop) {
+    std::size_t k = i;
+    while (k < end && (words_[k] == "and" || words_[k] == "to" || words_[k] == "me" || words_[k] == "over" ||
+                       words_[k] == "ahead" || words_[k] == "there" || words_[k] == "by"))
+      ++k;
+    const bool and_only_go =
+        k == i || words_[i] != "and" || clause.frame == Frame::kGo || clause.frame == Frame::kTry;
+    if (k < end && and_only_go && opens_command(k, end) && clause.frame != Frame::kStop &&
+        !(reader_.name_length(k) > 0 && words_[k - 1] == "to"))
+      return command(k, end, mood);
+  }
+  while (i < end) {
+    const std::string& word = words_[i];
+    if (language_.joins(word)) {
+      const std::size_t next = skip_joins(i, end);
+      if (next < end && words_[next] == "not" && !opens_command(next + 1, end) &&
+          reader_.starts(next + 1, end)) {
+        i = next;
+        continue;
+      }
+      if (next >= end || starts_clause(next, end)) break;
+      NounPhrase phrase;
+      const std::size_t done = reader_.read(next, end, phrase);
+      if (done != next && !clause.phrases.empty()) {
+        const std::size_t after = skip_joins(done, end);
+        const bool statement_follows = done < end && (language_.copula(words_[done]) || phrase.person);
+        if (statement_follows && after == done) break;
+        for (std::size_t k = i; k < next; ++k) phrase.alternative = phrase.alternative || words_[k] == "or";
+        for (std::size_t k = i; k < next; ++k)
+          if (words_[k] == "except" || words_[k] == "but") phrase.role = Role::kExcept;
+        // "put the mug in the sink and the glass on the counter": the verb counts again
+        NounPhrase place;
+        if (role == Role::kDestination && phrase.role != Role::kExcept && done < end &&
+            reader_.read_place(done, end, place) != done) {
+          Clause again;
+          again.mood = clause.mood, again.verb = clause.verb, again.frame = clause.frame,
+          again.words = {clause.verb};
+          add(std::move(clause));
+          clause = std::move(again);
+          role = Role::kDirect, where = Where::kTo;
+        }
+        phrase.joined = role == Role::kDestination;
+        // a list goes on; after "with X and Y" or "on X and Y" only where nothing moves to a place of its own
+        if (phrase.role != Role::kExcept) phrase.role = role;
+        phrase.where = where;
+        clause.phrases.push_back(std::move(phrase));
+        i = done;
+        continue;
+      }
+      if (!clause.phrases.empty() && !reader_.starts(next, end) && !place_preposition(words_[next]) &&
+          !one_of(words_[next], kParticles) && !harmless(next) && !language_.known(words_[next])) {
+        if (one_of(words_[next - 1], kDeterminers)) {  // "the mug and the torch": a thing
+          NounPhrase thing;
+          thing.role = role, thing.where = where, thing.word = words_[next], thing.unknown = true;
+          clause.phrases.push_back(std::move(thing));
+        } else {
+          clause.unknown.push_back(words_[next]);
+        }
+      }
+      i = std::max(next, i + 1);
+      continue;
+    }
+    if (word == "not" && i + 1 < end &&
+        !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
+      NounPhrase phrase;
+      if (const std::size_t done = reader_.read(i + 1, end, phrase); done != i + 1) {
+        phrase.role = Role::kExcept;
+        clause.phrases.push_back(std::move(phrase));
+        i = done;
+        continue;
+      }
+    }
+    if (word == "where" &&
+        (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {  // "where the mug is"
+      NounPhrase beside;
+      const std::size_t done = reader_.read(i + 1, end, beside);
+      if (done != i + 1 && done < end && language_.copula(words_[done])) {
+        beside.role = Role::kDestination, beside.where = Where::kNear;
+        clause.phrases.push_back(std::move(beside));
+        i = done + 1;
+        continue;
+      }
+    }
+    if (one_of(word, kSubordinate) || word == "not" || word == "never" || word == "wish") break;
+    if (word == "except" || (word == "other" && i + 1 < end && words_[i + 1] == "than")) {
+      NounPhrase phrase;
+      std::size_t k = i + 1;
+      while (k < end && (words_[k] == "for" || words_[k] == "than")) ++k;
+      const std::size_t done = reader_.read(k, end, phrase);
+      phrase.role = Role::kExcept;
+      NounPhrase place, next_place;
+      const std::size_t after = reader_.read_place(done, end, place);
+      // "except the one on the shelf"; of "all but book 3 on the table" the table is where things go
+      const bool its_place =
+          after != done && (phrase.word == "one" || clause.first(Role::kDestination) != nullptr ||
+                            reader_.read_place(after, end, next_place) != after);
+      if (its_place) phrase.at.push_back(place);
+      i = its_place ? after : std::max(done, i + 1);
+      clause.phrases.push_back(std::move(phrase));
+      continue;
+    }
+    // "take the mug to fill it", "use the spoon to scoop ice cream"
+    if (word == "to" && i + 1 < end && opens_command(i + 1, end) && !reader_.name_length(i + 1)) {
+      ++i;
+      break;
+    }
+    clause.words.push_back(word);
+    const std::size_t next = argument(i, end, clause, role, where);
+    if (next == i) {
+      clause.words.pop_back();
+      break;
+    }
+    i = next;
+  }
+  if (!clause.state.empty() && language_.wanted_by_state(clause.state) != Frame::kNone &&
+      clause.mood != Mood::kStatement) {
+    // "do not leave the tap on" wants it off
+    if (clause.mood == Mood::kForbidden) {
+      if (const std::string opposite = language_.opposite_state(clause.state); !opposite.empty())
+        clause.state = opposite, clause.mood = Mood::kCommand;
+    }
+    clause.frame = language_.wanted_by_state(clause.state);
+    clause.verb = clause.state;
+  }
+  add(std::move(clause));
+  return i;
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,173 @@
+#include "components/goalnet/language/clause_parser.h"
+
+#include <algorithm>
+
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+std::size_t ClauseParser::skip_joins(std::size_t at, std::size_t end) const {
+  while (at < end &&
+         (language_.joins(words_[at]) ||
+          (language_.filler(words_[at]) && !reader_.starts(at, end) && !language_.asks(words_[at]) &&
+           words_[at] != "let" && words_[at] != "i" && words_[at] != "we" && !place_preposition(words_[at]) &&
+           !one_of(words_[at], kSubordinate) && !one_of(words_[at], kParticles) &&
+           language_.verb(words_[at]) == Frame::kNone)))
+    ++at;
+  return at;
+}
+
+bool ClauseParser::harmless(std::size_t at) const {
+  return language_.filler(words_[at]) || language_.adverb(words_[at]);
+}
+
+// Whether the word is a verb here. "microwave" and "spoon" are things too: they are verbs before a thing.
+bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
+  if (at >= end || language_.verb(words_[at]) == Frame::kNone) return false;
+  const std::size_t name = reader_.name_length(at);
+  if (name == 0) return true;
+  if (name > 1) return false;
+  std::size_t next = at + 1;
+  while (next < end && (words_[next] == "up" || words_[next] == "out" || words_[next] == "on")) ++next;
+  if (next < end && (is_pronoun(words_[next]) || words_[next] == "that" || words_[next] == "this"))
+    return true;
+  return reader_.starts(next, end) && !(next == at + 1 && reader_.name_length(next) > 0 && at > 0 &&
+                                        (words_[at - 1] == "the" || words_[at - 1] == "a"));
+}
+
+bool ClauseParser::starts_clause(std::size_t at, std::size_t end) const {
+  if (at >= end) return false;
+  if (words_[at] == "not" || words_[at] == "never" || words_[at] == "wish" ||
+      one_of(words_[at], kSubordinate))
+    return true;
+  return opens_command(at, end);
+}
+
+std::size_t ClauseParser::skip_part(std::size_t at, std::size_t end) const {
+  while (at < end && words_[at] != ",") ++at;
+  return at;
+}
+
+void ClauseParser::add(Clause clause) {
+  if (clause.mood == Mood::kCommand && clause.condition.empty()) clause.condition = condition_;
+  if (insert_before_ < result_.clauses.size()) {
+    // "before putting the mug away, wash it": "it" was named by the clause that is done later
+    name_pronouns(clause, result_.clauses[insert_before_]);
+    result_.clauses.insert(result_.clauses.begin() + static_cast<long>(insert_before_), std::move(clause));
+    insert_before_ = SIZE_MAX;
+  } else {
+    result_.clauses.push_back(std::move(clause));
+  }
+}
+
+void ClauseParser::name_pronouns(Clause& clause, const Clause& by) const {
+  const NounPhrase* named = by.first(Role::kDirect);
+  if (named == nullptr || named->pronoun) return;
+  for (NounPhrase& phrase : clause.phrases) {
+    if (!phrase.pronoun || phrase.word == "there") continue;
+    const Role role = phrase.role;
+    const Where where = phrase.where;
+    phrase = *named;
+    phrase.role = role, phrase.where = where;
+  }
+}
+
+ParsedSentence ClauseParser::parse() {
+  for (std::size_t begin = 0; begin < words_.size();) {
+    std::size_t end = begin;
+    while (end < words_.size() && words_[end] != ".") ++end;
+    for (std::size_t at = begin; at < end;) {
+      const std::size_t next = clause(at, end);
+      at = std::max(next, at + 1);
+    }
+    fronted_.clear();
+    condition_.clear();
+    begin = end + 1;
+  }
+  return std::move(result_);
+}
+
+std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
+  at = skip_joins(at, end);
+  if (at >= end) return at;
+  const std::string& word = words_[at];
+  if (word == "not" || word == "never" || word == "without") {
+    std::size_t verb = at + 1;
+    while (verb < end && !opens_command(verb, end) && harmless(verb)) ++verb;
+    if (opens_command(verb, end)) return command(verb, end, Mood::kForbidden);
+    const std::size_t gerund = at + 1;
+    if (gerund < end && words_[gerund].size() > 5 && words_[gerund].ends_with("ing") &&
+        !language_.known(words_[gerund])) {
+      Clause clause;  // "without touching the coke", "without spilling anything"
+      clause.mood = Mood::kForbidden, clause.frame = Frame::kTry, clause.verb = words_[gerund];
+      NounPhrase phrase;
+      const std::size_t done = reader_.read(gerund + 1, end, phrase);
+      if (done != gerund + 1) clause.phrases.push_back(phrase);
+      add(std::move(clause));
+      return std::max(done, gerund + 1);
+    }
+    if (word == "without") {  // "without the spoon"
+      NounPhrase phrase;
+      const std::size_t done = reader_.read(verb, end, phrase);
+      if (done != verb) return done;
+    }
+    if (result_.problem.empty()) result_.problem = "it is not clear what \"" + word + "\" rules out";
+    return at + 1;
+  }
+  if (word == "ensure") {
+    std::size_t next = at + 1;
+    while (next < end && (words_[next] == "that" || words_[next] == "you" || words_[next] == "to")) ++next;
+    if (opens_command(next, end)) return command(next, end, Mood::kCommand);
+    ensured_ = true;
+    const std::size_t done = next < end ? statement(next, end) : next;
+    ensured_ = false;
+    return done;
+  }
+  if (word == "let") {  // "let the water run"
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(at + 1, end, phrase);
+    if (done != at + 1 && !phrase.person && opens_command(done, end)) {
+      fronted_ = {phrase};
+      return command(done, end, Mood::kCommand);
+    }
+    return at + 1;
+  }
+  if (word == "use" || word == "using" || word == "with") {  // "use the spoon to scoop ice cream"
+    NounPhrase phrase;
+    std::size_t next = reader_.read(at + 1, end, phrase);
+    const bool read = next != at + 1;
+    while (read && next < end && (words_[next] == "to" || language_.joins(words_[next]))) ++next;
+    if (read && opens_command(next, end)) {
+      phrase.role = Role::kWith;
+      fronted_ = {phrase};
+      return command(next, end, Mood::kCommand);
+    }
+  }
+  if (word == "wish" || (word == "have" && reader_.starts(at + 1, end)))
+    return command(at, end, Mood::kCommand);
+  if (language_.asks(word) && at + 1 < end && language_.copula(words_[at + 1])) return question(at, end);
+  if (one_of(word, kSubordinate) && !(word == "so" && opens_command(skip_joins(at + 1, end), end)))
+    return subordinate(at, end);
+  if (word == "so") return at + 1;
+  if (opens_command(at, end)) return command(at, end, Mood::kCommand);
+  if (language_.asks(word)) return question(at, end);
+  // "in the sink, put the mug"
+  NounPhrase place;
+  if (const std::size_t done = reader_.read_place(at, end, place); done != at) {
+    const std::size_t next = skip_joins(done, end);
+    if (opens_command(next, end)) {
+      place.role = Role::kDestination;
+      fronted_ = {place};
+      return next;
+    }
+  }
+  return statement(at, end);
+}
+
+ParsedSentence parse_clauses(const Words& words, const Language& language, const Lexicon& lexicon) {
+  return ClauseParser(words, language, lexicon).parse();
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,76 @@
+// "if the tap is on, ...", "before you open the fridge, ...", "because I am thirsty".
+#include <algorithm>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
+  const std::string& word = words_[at];
+  const std::size_t count = result_.clauses.size();
+  if ((word == "if" || word == "unless") && at + 1 < end) {  // "if the tap is on, turn it off"
+    ClauseParser inner(*all_words_, language_, *lexicon_);
+    std::size_t stop = at + 1;
+    while (stop < end && words_[stop] != "," && words_[stop] != "then" &&
+           !(stop > at + 2 && opens_command(stop, end) &&
+             language_.wanted_by_state(words_[stop]) == Frame::kNone))
+      ++stop;
+    const std::size_t done = inner.statement(at + 1, stop);
+    if (done >= stop && inner.result_.stray.empty() && inner.result_.clauses.size() == 1) {
+      Clause clause = inner.result_.clauses.front();
+      const bool says =
+          !clause.state.empty() || (!clause.phrases.empty() && !clause.phrases.front().at.empty());
+      if (clause.mood == Mood::kStatement && clause.frame == Frame::kNone && says) {
+        clause.negative = clause.negative != (word == "unless");
+        if (count > 0 && stop >= end)
+          result_.clauses.back().condition = {clause};
+        else
+          condition_ = {clause};
+        return stop;
+      }
+    }
+  }
+  if (word == "if" || word == "unless" || word == "whenever") {
+    if (result_.problem.empty())
+      result_.problem = "conditions (\"" + word + " ...\") are not understood; say what to do now";
+    return skip_part(at, end);
+  }
+  if (word == "before" || word == "after" || word == "once" || word == "when") {
+    std::size_t verb = at + 1;
+    while (verb < end && !opens_command(verb, end) &&
+           (harmless(verb) || words_[verb] == "you" || words_[verb] == "have"))
+      ++verb;
+    if (verb < end && opens_command(verb, end)) {
+      const bool leading =
+          count == 0 || at == 0 || words_[at - 1] == "." || words_[at - 1] == "," || words_[at - 1] == "then";
+      if (word == "before" && leading) {
+        const std::size_t done = command(verb, end, Mood::kCommand);
+        if (result_.clauses.size() > count) insert_before_ = count;
+        return done;
+      }
+      if (word != "before" && !leading) insert_before_ = count - 1;  // "A after B": B first
+      return command(verb, end, Mood::kCommand);
+    }
+    if (verb >= end || words_[verb] == ",") return verb;  // "and after that, ..."
+    // "once the mug is full, ...", "when it is done": what was asked before is done by then
+    return skip_part(at, end);
+  }
+  if (word == "as" && at + 1 < end && (words_[at + 1] == "well" || words_[at + 1] == "soon")) return at + 2;
+  // until it is hot; because I am thirsty; so that I can sit down; where it belongs; while you are there
+  std::size_t next = at + 1;
+  const bool reason = word == "since" || word == "because" || word == "while";
+  const auto command_begins = [&](std::size_t i) {
+    return reason && i > at + 2 && opens_command(i, end) && reader_.starts(i + 1, end) &&
+           words_[i - 1] != "to" && words_[i - 1] != "i" && words_[i - 1] != "you" &&
+           words_[i - 1] != "can" && words_[i - 1] != "not";
+  };
+  while (next < end && words_[next] != "," && !command_begins(next) &&
+         !(words_[next] == "and" && opens_command(skip_joins(next, end), end)))
+    ++next;
+  return next;
+}
+
+}  // namespace goalnet::inference

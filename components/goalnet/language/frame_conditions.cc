@@ -1,0 +1,88 @@
+// Whether what a sentence says is so, and whether what it forbids would be done.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/symbol_list.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+std::string FrameActions::check_forbidden(const Clause& clause, const SymState& start) const {
+  if (clause.frame == Frame::kTry) {  // "without touching the coke"
+    for (const NounPhrase& phrase : clause.phrases) {
+      FrameActions untouched = *this;
+      const Objects objects = phrase.pronoun || phrase.bare()
+                                  ? Objects{}
+                                  : untouched.resolver_.options(phrase, Sort::kAny, start);
+      for (const SymAction& macro : macros_)
+        if (contains(objects, macro.x))
+          return "this cannot be done without touching " + resolver_.name(macro.x);
+    }
+    return {};
+  }
+  FrameActions other = *this;
+  other.macros_.clear();
+  other.steps_.clear();
+  other.now_ = start;
+  const std::string problem = other.add(clause);
+  SymState now = start;
+  for (const SymAction& macro : macros_) {
+    for (const SymAction& action : with_means(macro, now)) {
+      for (const SymAction& forbidden : other.macros_)
+        if (action == forbidden && problem.empty())
+          return "this cannot be done without what the sentence forbids";
+      apply(action, now);
+    }
+  }
+  // "without spilling anything", "don't break it": what nobody would do anyway
+  return {};
+}
+
+// Whether "the tap is on", "the mug is in the sink" is so now.
+bool FrameActions::holds(const Clause& statement, Problem& problem) {
+  const NounPhrase& subject = statement.phrases.front();
+  NounPhrase plain = subject;
+  plain.at.clear();
+  const Objects objects =
+      subject.pronoun ? pronoun(subject, Sort::kAny, {}) : resolver_.options(plain, Sort::kAny, now_);
+  if (objects.empty()) {
+    problem = unknown_thing(subject, Sort::kAny);
+    return false;
+  }
+  const Symbol object = objects.front();
+  bool so = true;
+  if (!subject.at.empty()) {
+    const int loose = resolver_.doubts().loose;
+    resolver_.options(subject, Sort::kAny, now_);
+    so = resolver_.doubts().loose == loose;
+    resolver_.doubts().loose = loose;
+  }
+  const std::string& state = statement.state;
+  if (state == "on" || state == "running" || state == "lit" || state == "burning") {
+    so = is_on(object);
+  } else if (state == "off") {
+    so = !is_on(object);
+  } else if (state == "open" || state == "closed" || state == "shut") {
+    const bool open = object == kFridge
+                          ? now_.is(kFridge, kLeftDoorIsOpen) || now_.is(kFridge, kRightDoorIsOpen)
+                      : object == kMicrowave ? now_.is(kMicrowave, kDoorIsOpen)
+                                             : now_.is(object, kIsOpen);
+    so = open == (state == "open");
+  } else if (!state.empty()) {
+    NounPhrase as_said = plain;
+    as_said.adjectives.push_back(state == "filled" ? "full" : state);
+    if (state != "empty" && state != "full" && state != "filled" && state != "hot" && state != "warm" &&
+        state != "cold") {
+      problem = "it is not known whether " + resolver_.name(object) + " is " + state;
+      return false;
+    }
+    const int loose = resolver_.doubts().loose;
+    resolver_.options(as_said, Sort::kAny, now_);
+    so = resolver_.doubts().loose == loose;
+    resolver_.doubts().loose = loose;
+  }
+  return so != statement.negative;
+}
+
+}  // namespace goalnet::inference

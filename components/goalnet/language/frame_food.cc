@@ -1,0 +1,269 @@
+// Adding one thing to another, scooping, making dishes and drinks.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+namespace {
+
+constexpr int kMostScoops = 5;
+
+}  // namespace
+
+// Adds something to a vessel or a dish: water, salt, syrup, ice cream, ... `done` says whether that is known
+// how.
+std::string FrameActions::add_content(const NounPhrase& what, Symbol target, bool& done) {
+  const Symbol content = language_.content(what.phrase);
+  done = true;
+  if (content == kIceCream) return scoop_into(target, std::max(what.count, 1));
+  if (what.everything || what.bare()) {
+    done = false;
+    return {};
+  }
+  const auto objects = resolver_.options(what, Sort::kMovable, now_);
+  if (content == kWater ||
+      (content != kNone && vessel_with(content) != kNone && vessel_with(content) != target &&
+       (objects.empty() || resolver_.is_vessel(objects.front()))))
+    return fill_one(target, content);
+  if (objects.empty()) {
+    done = false;
+    return {};
+  }
+  const Symbol object = objects.front();
+  if (now_.has(Relation::kIsSqueezeable, object)) return act({Verb::kSqueeze, object, target});
+  if (object == kSalt_1 || object == kRamen_1 || object == kBoiledEgg_1)
+    return act({Verb::kAdd, object, target});
+  if (object == kSpoon_1 || object == kFork_1) return keep(object, target, Where::kIn);
+  done = false;
+  return {};
+}
+
+std::string FrameActions::add_to(const Clause& clause) {
+  const NounPhrase* destination = clause.first(Role::kDestination);
+  std::vector<NounPhrase> whats;
+  for (const NounPhrase& phrase : clause.phrases)
+    if (phrase.role == Role::kDirect) whats.push_back(phrase);
+  if (const NounPhrase* with = clause.first(Role::kWith);
+      destination == nullptr && with != nullptr && !whats.empty()) {
+    // "season the bowl with salt", "mix the ramen with water"
+    const auto dishes = whats.front().pronoun || whats.front().bare()
+                            ? Objects{}
+                            : resolver_.options(whats.front(), Sort::kVessel, now_);
+    const bool season = !dishes.empty() || clause.verb == "season" || clause.verb == "sprinkle" ||
+                        clause.verb == "drizzle" || clause.verb == "top";
+    if (season) {
+      destination = &whats.front();
+      const NounPhrase target = *destination;
+      Clause turned = clause;
+      turned.phrases = {*with, target};
+      turned.phrases[0].role = Role::kDirect, turned.phrases[1].role = Role::kDestination;
+      return add_to(turned);
+    }
+    destination = with;
+  }
+  if (whats.empty()) return "it is not clear what to " + clause.verb;
+  Objects targets;
+  const auto can_take = [&](Symbol object) {
+    return resolver_.is_vessel(object) || resolver_.class_of(object)->dish || object == resolver_.ice_cream();
+  };
+  if (destination == nullptr || destination->pronoun) {
+    NounPhrase it;
+    it.pronoun = true;
+    Objects these;
+    for (const NounPhrase& what : whats)
+      if (!what.pronoun && !what.bare()) these = resolver_.options(what, Sort::kMovable, now_);
+    targets = pronoun(destination == nullptr ? it : *destination, Sort::kPlace, these);
+    std::erase_if(targets, [&](Symbol object) { return !can_take(object); });
+    if (targets.empty()) return "it is not clear where to " + clause.verb + " that";
+  } else {
+    targets = destination->bare() ? Objects{} : resolver_.options(*destination, Sort::kMovable, now_);
+    std::erase_if(targets, [&](Symbol object) { return !can_take(object); });
+    if (language_.content(destination->phrase) == kIceCream) {  // what was scooped, not the tub
+      Objects scooped;
+      for (const Symbol dish : resolver_.all(Sort::kPlace, now_))
+        if (now_.is(dish, kIceCream)) scooped.push_back(dish);
+      if (!scooped.empty()) targets = scooped;
+    }
+    if (targets.empty()) return unknown_thing(*destination, Sort::kVessel);
+    targets = resolver_.chosen(*destination, targets);
+    if (targets.empty()) return unknown_thing(*destination, Sort::kVessel);
+  }
+  for (const Symbol target : targets)
+    for (const NounPhrase& what : whats) {
+      if (what.unknown) return unknown_thing(what, Sort::kMovable);
+      Problem problem;
+      bool done = false;
+      if (clause.frame == Frame::kSqueeze && !what.pronoun && !what.bare()) {
+        const auto bottles = what.everything ? Objects{} : resolver_.options(what, Sort::kMovable, now_);
+        if (bottles.empty() || !now_.has(Relation::kIsSqueezeable, bottles.front()))
+          return (bottles.empty() ? "that" : resolver_.name(bottles.front())) +
+                 std::string(" cannot be squeezed");
+      }
+      if (what.pronoun) {
+        const auto objects = pronoun(what, Sort::kMovable, targets);
+        if (objects.empty()) return unknown_thing(what, Sort::kMovable);
+        const Symbol object = objects.front();
+        problem = now_.has(Relation::kIsSqueezeable, object) ? act({Verb::kSqueeze, object, target})
+                                                             : keep(object, target, Where::kIn);
+        done = true;
+      } else {
+        problem = add_content(what, target, done);
+      }
+      if (!done && problem.empty()) {
+        const auto objects = what.everything ? Objects{} : resolver_.options(what, Sort::kMovable, now_);
+        if (objects.empty()) return unknown_thing(what, Sort::kMovable);
+        if (clause.frame == Frame::kSqueeze) return resolver_.name(objects.front()) + " cannot be squeezed";
+        problem = resolver_.is_vessel(objects.front())
+                      ? "it is not clear how to add " + resolver_.name(objects.front())
+                      : keep(objects.front(), target, Where::kIn);
+      }
+      if (!problem.empty()) return problem;
+    }
+  remember(targets);
+  return {};
+}
+
+std::string FrameActions::scoop_into(Symbol target, int times) {
+  Symbol source = resolver_.ice_cream();
+  if (source == kNone || !resolver_.exists(kSpoon_1)) return not_here("there is nothing here to scoop");
+  for (int i = 0; i < std::min(times, kMostScoops); ++i) {
+    if (!now_.is(kSpoon_1, kScoopsLeft)) {
+      if (!now_.is(source, kScoopsLeft)) return "no ice cream is left";
+      if (const Problem problem = act({Verb::kScoop, kSpoon_1, source}); !problem.empty()) return problem;
+    }
+    if (target == kNone) return {};
+    if (const Problem problem = act({Verb::kAdd, kIceCreamScoop, target}); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+std::string FrameActions::scoop(const Clause& clause) {
+  const NounPhrase* destination = clause.first(Role::kDestination);
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  int times = 1;
+  if (thing != nullptr) {
+    const bool ice_cream = thing->scoop
+                               ? thing->phrase.empty() || language_.content(thing->phrase) == kIceCream
+                               : language_.content(thing->phrase) == kIceCream ||
+                                     (thing->pronoun && !pronoun(*thing, Sort::kMovable, {}).empty() &&
+                                      pronoun(*thing, Sort::kMovable, {}).front() == resolver_.ice_cream());
+    if (!ice_cream) return "only ice cream can be scooped";
+    if (thing->count > 1) times = thing->count;
+  }
+  if (const NounPhrase* with = clause.first(Role::kWith);
+      with != nullptr && !with->pronoun &&
+      (with->bare() || resolver_.options(*with, Sort::kMovable, now_).empty()))
+    return unknown_thing(*with, Sort::kMovable);
+  if (destination == nullptr) {
+    remember({resolver_.exists(kSpoon_1) ? Symbol{kSpoon_1} : Symbol{kNone}});
+    return scoop_into(kNone, 1);
+  }
+  Objects targets = destination->pronoun  ? pronoun(*destination, Sort::kPlace, {})
+                    : destination->bare() ? Objects{}
+                                          : resolver_.options(*destination, Sort::kMovable, now_);
+  std::erase_if(targets, [&](Symbol object) {
+    return !resolver_.is_vessel(object) && !resolver_.class_of(object)->dish;
+  });
+  if (targets.empty()) return unknown_thing(*destination, Sort::kVessel);
+  if (!destination->pronoun) targets = resolver_.chosen(*destination, targets);
+  for (const Symbol target : targets)
+    if (const Problem problem = scoop_into(target, times); !problem.empty()) return problem;
+  remember(targets);
+  return {};
+}
+
+// "a cup of hot water", "a bowl of ice cream with chocolate syrup", "some noodles".
+std::string FrameActions::make(const Clause& clause) {
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  if (thing == nullptr || thing->bare()) return "it is not clear what to " + clause.verb;
+  Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
+  if (content == kNone) {
+    const auto objects =
+        thing->pronoun || thing->everything ? Objects{} : resolver_.options(*thing, Sort::kMovable, now_);
+    if (!objects.empty() && resolver_.is_of_class(objects.front(), "instant_ramen")) {
+      if (const Problem problem = fill_with_water(objects.front()); !problem.empty()) return problem;
+      remember({objects.front()});
+      return heat_objects({objects.front()}, resolver_.exists(kMicrowave), nullptr);
+    }
+    return "it is not known how to make that; water, coffee, noodles and ice cream can be had";
+  }
+  const bool hot = thing->has("hot") || thing->has("warm") || thing->has("boiling");
+  Symbol vessel = kNone;
+  if (!thing->content.empty()) {
+    NounPhrase plain = *thing;
+    plain.content.clear(), plain.adjectives.clear();
+    const auto options = resolver_.options(plain, Sort::kPlace, now_);
+    if (options.empty()) return unknown_thing(*thing, Sort::kVessel);
+    vessel = options.front();
+    // the one that has it already
+    for (const Symbol option : resolver_.all(Sort::kVessel, now_))
+      if (now_.is(option, content) && content != kWater &&
+          resolver_.class_of(option) == resolver_.class_of(vessel))
+        vessel = option;
+    if (content == kCoffee && vessel_with(kCoffee) != kNone) vessel = vessel_with(kCoffee);
+  } else if (const NounPhrase* destination = clause.first(Role::kDestination);
+             destination != nullptr && !destination->pronoun && !destination->bare()) {
+    const auto options = resolver_.options(*destination, Sort::kPlace, now_);
+    if (!options.empty() &&
+        (resolver_.is_vessel(options.front()) || resolver_.class_of(options.front())->dish))
+      vessel = options.front();
+  }
+  const auto of_class = [&](const char* name) {
+    for (const SeenObject& object : resolver_.objects())
+      if (resolver_.is_of_class(object.symbol, name)) return object.symbol;
+    return Symbol{kNone};
+  };
+  Problem problem;
+  switch (content) {
+    case kWater:
+      if (vessel == kNone) vessel = clause.frame == Frame::kMake ? of_class("kettle") : of_class("glass");
+      if (vessel == kNone) vessel = of_class("long_cup");
+      if (vessel == kNone) return "there is nothing here to fill";
+      remember({vessel});
+      if (problem = fill_with_water(vessel); !problem.empty()) return problem;
+      if (!hot)
+        return clause.frame == Frame::kTake && !now_.holds(vessel) ? act({Verb::kGrasp, vessel}) : Problem{};
+      return heat_objects({vessel}, !resolver_.is_of_class(vessel, "kettle") && resolver_.exists(kMicrowave),
+                          nullptr);
+    case kCoffee:
+      if (vessel == kNone) vessel = vessel_with(kCoffee);
+      if (vessel == kNone) return not_here("there is no coffee here");
+      remember({vessel});
+      if (problem = fill_one(vessel, kCoffee); !problem.empty()) return problem;
+      if (hot) return heat_objects({vessel}, resolver_.exists(kMicrowave), nullptr);
+      return now_.holds(vessel) ? Problem{} : act({Verb::kGrasp, vessel});
+    case kIceCream:
+      if (vessel == kNone) vessel = of_class("bowl");
+      if (vessel == kNone) return not_here("there is no bowl here");
+      remember({vessel});
+      problem = scoop_into(vessel, std::max(thing->count, 1));
+      break;
+    case kRamen:
+    case kEgg: {
+      if (vessel == kNone) vessel = of_class("kettle");
+      if (vessel == kNone) return not_here("there is no pot here to heat it in");
+      remember({vessel});
+      const Symbol food = content == kRamen ? Symbol{kRamen_1} : Symbol{kBoiledEgg_1};
+      if (!resolver_.exists(food)) return not_here("there is no " + thing->word + " here");
+      if (problem = fill_with_water(vessel); !problem.empty()) return problem;
+      if (problem = keep(food, vessel, Where::kIn); !problem.empty()) return problem;
+      problem = heat_objects(
+          {vessel}, !resolver_.is_of_class(vessel, "kettle") && resolver_.exists(kMicrowave), nullptr);
+      break;
+    }
+    default:
+      return "it is not known how to make that; water, coffee, noodles and ice cream can be had";
+  }
+  if (!problem.empty()) return problem;
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != Role::kWith) continue;
+    bool done = false;
+    if (problem = add_content(phrase, vessel, done); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,112 @@
+// Heating and boiling.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+std::string FrameActions::heat(const Clause& clause, bool boil) {
+  Problem problem;
+  const NounPhrase* where = nullptr;
+  bool microwave = clause.verb == "microwave" || clause.verb == "nuke", stove = boil;
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != Role::kDestination && phrase.role != Role::kWith) continue;
+    if (phrase.pronoun || phrase.bare()) continue;
+    const auto options = resolver_.options(phrase, Sort::kPlace, now_);
+    if (options.empty()) continue;
+    if (options.front() == kMicrowave) microwave = true, stove = false;
+    if (resolver_.is_of_class(options.front(), "burner")) stove = true, microwave = false, where = &phrase;
+  }
+  const Symbol content = mentioned_content(clause, Role::kDirect);
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  Objects objects;
+  const bool named_vessel = thing != nullptr && !thing->content.empty();
+  if (content == kWater || (named_vessel && language_.content(thing->content) == kWater)) {
+    // In what? What the sentence says, else what holds water, else the kettle.
+    Symbol vessel = kNone;
+    for (const NounPhrase& phrase : clause.phrases) {
+      NounPhrase plain = phrase;
+      plain.content.clear();
+      if ((phrase.role == Role::kDirect && !named_vessel) || phrase.pronoun || phrase.bare()) continue;
+      const auto options = resolver_.options(plain, Sort::kVessel, now_);
+      if (!options.empty()) vessel = options.front();
+    }
+    if (vessel == kNone) vessel = vessel_with(kWater);
+    if (vessel == kNone)
+      for (const Symbol option : resolver_.all(Sort::kVessel, now_))
+        if (resolver_.is_of_class(option, "kettle")) vessel = option;
+    if (vessel == kNone) return not_here("there is no pot here to heat it in");
+    if (problem = fill_with_water(vessel); !problem.empty()) return problem;
+    objects = {vessel};
+    remember(objects);
+  } else {
+    objects = direct(clause, Sort::kMovable, problem);
+    if (!problem.empty()) return problem;
+  }
+  for (const Symbol object : objects) {
+    const ObjectClass* c = resolver_.class_of(object);
+    if (!resolver_.is_vessel(object) && !c->dish && !c->food)
+      return resolver_.name(object) + " should not be heated";
+  }
+  const Symbol front = objects.front();
+  const bool raw = front == kRamen_1 || front == kBoiledEgg_1;
+  if (raw && (boil || (clause.verb == "cook" && front == kRamen_1)) && !microwave) {  // in boiling water
+    Symbol pot = kNone;
+    for (const Symbol option : resolver_.all(Sort::kVessel, now_))
+      if (resolver_.is_of_class(option, "kettle")) pot = option;
+    for (const NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kDestination && !phrase.pronoun && !phrase.bare())
+        if (const auto options = resolver_.options(phrase, Sort::kVessel, now_); !options.empty())
+          pot = options.front();
+    if (pot == kNone) return not_here("there is no pot here to heat it in");
+    if (problem = fill_with_water(pot); !problem.empty()) return problem;
+    for (const Symbol object : objects)
+      if (problem = keep(object, pot, Where::kIn); !problem.empty()) return problem;
+    for (const NounPhrase& phrase : clause.phrases) {  // "with salt"
+      bool done = false;
+      if (phrase.role == Role::kWith && !phrase.pronoun)
+        if (problem = add_content(phrase, pot, done); !problem.empty()) return problem;
+    }
+    return heat_objects({pot}, false, where);
+  }
+  if (boil && resolver_.is_of_class(front, "kettle"))
+    if (problem = fill_with_water(front); !problem.empty()) return problem;
+  if (!microwave && !stove && !resolver_.is_of_class(front, "kettle"))
+    microwave = resolver_.exists(kMicrowave);
+  // What stands on a burner already is heated there.
+  for (Symbol burner = kStoveFire_1; burner <= kStoveFire_4; ++burner)
+    if (clause.verb != "microwave" && objects.size() == 1 && now_.has(Relation::kOn, front, burner) &&
+        !stove && clause.first(Role::kDestination) == nullptr && clause.first(Role::kWith) == nullptr)
+      microwave = false;
+  return heat_objects(objects, microwave, where);
+}
+
+std::string FrameActions::heat_objects(const Objects& objects, bool microwave, const NounPhrase* where) {
+  Problem problem;
+  if (microwave && !resolver_.exists(kMicrowave)) return not_here("there is no microwave here");
+  if (microwave) {
+    for (const Symbol object : objects)
+      if (problem = keep(object, kMicrowave, Where::kIn); !problem.empty()) return problem;
+    last_destination_ = {Symbol{kMicrowave}};
+    return turn_on(kMicrowave, true, 0);
+  }
+  const bool which = where != nullptr && (where->ordinal > 0 || where->number > 0);
+  for (const Symbol object : objects) {
+    Symbol burner = burner_for(object);
+    if (which) {
+      const auto said = places(*where, objects, 1, problem);
+      if (!problem.empty()) return problem;
+      burner = said.front();
+    }
+    if (burner == kNone) return not_here("there is no stove here");
+    if (!now_.has(Relation::kOn, object, burner))
+      if (problem = act({Verb::kKeepOn, object, burner}); !problem.empty()) return problem;
+    if (problem = turn_on(burner, true, 0); !problem.empty()) return problem;
+    last_destination_ = {burner};
+  }
+  return {};
+}
+
+}  // namespace goalnet::inference

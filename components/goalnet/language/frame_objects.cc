@@ -1,0 +1,181 @@
+// Which things and places a clause means, and what "it", "them" and "there" stand for.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/symbol_list.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+void FrameActions::remember(const Objects& objects) {
+  if (objects.empty()) return;
+  history_.push_back(objects);
+  resolver_.remember(objects);
+}
+
+// What "it" and "them" mean: the newest things spoken of that are of the sort.
+FrameActions::Objects FrameActions::pronoun(const NounPhrase& phrase, Sort sort,
+                                            const Objects& not_these) const {
+  const auto fitting = [&](const Objects& from) {
+    Objects result;
+    const Objects all = resolver_.all(sort, now_);
+    for (const Symbol object : from) {
+      const bool burner = sort == Sort::kDevice && object >= kStoveFire_1 && object <= kStoveFire_4;
+      if ((burner || contains(all, object)) && !contains(not_these, object)) result.push_back(object);
+    }
+    return result;
+  };
+  if (phrase.word == "there" && !last_destination_.empty()) return last_destination_;
+  Objects found;
+  for (auto it = history_.rbegin(); it != history_.rend(); ++it) {
+    const Objects fit = fitting(*it);
+    for (const Symbol object : fit)
+      if (!contains(found, object)) found.push_back(object);
+    if (!found.empty() && (!phrase.plural || found.size() > 1)) break;
+  }
+  if (found.empty()) {
+    Objects held;
+    for (const SymFact fact : now_.facts())
+      if (relation_of(fact) == Relation::kGrasping) held.push_back(object_of(fact));
+    found = fitting(held);
+  }
+  if (!phrase.plural && found.size() > 1) found.erase(found.begin() + 1, found.end());
+  if (phrase.count > 0 && found.size() > static_cast<std::size_t>(phrase.count))
+    found.resize(static_cast<std::size_t>(phrase.count));
+  return found;
+}
+
+FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort sort, const Clause& clause) {
+  if (phrase.pronoun) return pronoun(phrase, sort, {});
+  if (phrase.bare() || phrase.unknown) return {};
+  NounPhrase located = phrase;
+  for (const NounPhrase& source : clause.phrases)
+    if (source.role == Role::kSource && !source.pronoun && phrase.role == Role::kDirect)
+      located.at.push_back(source);
+  Objects options = resolver_.options(located, sort, now_);
+  for (const NounPhrase& left_out : clause.phrases) {
+    if (left_out.role != Role::kExcept) continue;
+    NounPhrase these = left_out;
+    if (these.phrase.empty()) these.phrase = phrase.phrase;
+    const Objects excluded = resolver_.options(these, sort, now_);
+    std::erase_if(options, [&](Symbol object) { return contains(excluded, object); });
+  }
+  // "put a book on the shelf" means one that is not there yet
+  if (!avoid_.empty() && !phrase.plural && !phrase.all && phrase.role == Role::kDirect)
+    std::stable_partition(options.begin(), options.end(),
+                          [&](Symbol object) { return !contains(avoid_, resolver_.place_of(object, now_)); });
+  return resolver_.chosen(phrase, options);
+}
+
+FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role, Sort sort,
+                                                 Problem& problem) {
+  Objects objects;
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != role || (phrase.alternative && !objects.empty())) continue;
+    const Objects chosen = objects_of(phrase, sort, clause);
+    if (chosen.empty() && !phrase.alternative && problem.empty()) problem = unknown_thing(phrase, sort);
+    if (!chosen.empty() && phrase.alternative) problem.clear();
+    for (const Symbol object : chosen)
+      if (!contains(objects, object)) objects.push_back(object);
+  }
+  return objects;
+}
+
+FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Problem& problem) {
+  Objects objects = role_objects(clause, Role::kDirect, sort, problem);
+  if (objects.empty() && problem.empty()) problem = "it is not clear what to " + clause.verb;
+  if (problem.empty()) remember(objects);
+  return objects;
+}
+
+// Where things go: as many places as there are things when people say "each", otherwise one; a free one where
+// several are equal.
+FrameActions::Objects FrameActions::places(const NounPhrase& phrase, const Objects& for_these,
+                                           std::size_t wanted, Problem& problem) {
+  if (phrase.pronoun) {
+    Objects there = pronoun(phrase, Sort::kPlace, for_these);
+    if (there.empty() && problem.empty()) problem = "it is not clear where \"" + phrase.word + "\" is";
+    return there;
+  }
+  Objects options =
+      phrase.bare() || phrase.unknown ? Objects{} : resolver_.options(phrase, Sort::kPlace, now_);
+  std::erase_if(options, [&](Symbol option) { return contains(for_these, option); });
+  // "the other couch": not the one that they stand on
+  if (options.size() > 1 && phrase.number == 0 && phrase.ordinal == 0 && !phrase.all &&
+      (phrase.has("other") || phrase.has("different") || moves_)) {
+    Objects elsewhere = options;
+    std::erase_if(elsewhere, [&](Symbol place) {
+      return std::any_of(for_these.begin(), for_these.end(),
+                         [&](Symbol o) { return resolver_.place_of(o, now_) == place; });
+    });
+    if (!elsewhere.empty()) options = elsewhere;
+  }
+  if (phrase.ordinal > 0 || phrase.has("last")) options = resolver_.chosen(phrase, options);
+  if (options.empty()) {
+    if (problem.empty()) problem = unknown_thing(phrase, Sort::kPlace);
+    return {};
+  }
+  // Burners and seats: the free ones first. Of those that stay equal, the one that the things stand on
+  // already.
+  const ObjectClass* c = resolver_.class_of(options.front());
+  if (c != nullptr && (c->name == "burner" || c->name == "armchair"))
+    std::stable_partition(options.begin(), options.end(), [&](Symbol place) {
+      const Objects there = resolver_.things_at(place, now_);
+      return std::all_of(there.begin(), there.end(),
+                         [&](Symbol thing) { return contains(for_these, thing); });
+    });
+  if (wanted > 1 && (phrase.all || phrase.count > 1 || phrase.plural)) return options;
+  options.erase(options.begin() + 1, options.end());
+  return options;
+}
+
+Symbol FrameActions::mentioned_content(const Clause& clause, Role role) const {
+  for (const NounPhrase& phrase : clause.phrases)
+    if (phrase.role == role)
+      if (const Symbol content = language_.content(phrase.phrase); content != kNone) return content;
+  return kNone;
+}
+
+Symbol FrameActions::vessel_with(Symbol content) const {
+  Symbol best = kNone;
+  for (const Symbol vessel : resolver_.all(Sort::kVessel, now_)) {
+    if (!now_.is(vessel, content)) continue;
+    if (best == kNone || now_.holds(vessel) ||
+        (!now_.holds(best) && resolver_.distance(vessel) < resolver_.distance(best)))
+      best = vessel;
+  }
+  return best;
+}
+
+Symbol FrameActions::burner_for(Symbol object) const {
+  for (Symbol burner = kStoveFire_1; burner <= kStoveFire_4; ++burner)
+    if (now_.has(Relation::kOn, object, burner)) return burner;
+  for (Symbol burner = kStoveFire_1; burner <= kStoveFire_4; ++burner)
+    if (resolver_.exists(burner) && !resolver_.taken(burner, now_)) return burner;
+  return resolver_.exists(kStoveFire_1) ? Symbol{kStoveFire_1} : Symbol{kNone};
+}
+
+Symbol FrameActions::surface() const {
+  for (const SeenObject& object : resolver_.objects())
+    if (resolver_.is_of_class(object.symbol, "counter")) return object.symbol;
+  for (const SeenObject& object : resolver_.objects())
+    if (resolver_.is_of_class(object.symbol, "coffee_table")) return object.symbol;
+  return kNone;
+}
+
+void FrameActions::notice(const Clause& clause) {
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role == Role::kDestination && !phrase.pronoun && !phrase.bare() && !phrase.unknown)
+      if (const Objects there = resolver_.options(phrase, Sort::kPlace, now_); !there.empty())
+        last_destination_ = {there.front()};
+    if (phrase.role != Role::kDirect || phrase.pronoun || phrase.bare() || phrase.unknown) continue;
+    // what stands where the sentence says counts, not everything of that name
+    Objects objects = resolver_.options(phrase, Sort::kAny, now_);
+    if (!phrase.everything && !phrase.plural && !phrase.all && objects.size() > 1)
+      objects.erase(objects.begin() + 1, objects.end());
+    if (!objects.empty()) history_.push_back(objects);
+  }
+}
+
+}  // namespace goalnet::inference

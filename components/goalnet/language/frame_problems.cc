@@ -1,0 +1,70 @@
+// What is told when a thing is not here or is nothing to do that with.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+namespace {
+
+constexpr int kMostExamples = 5;
+
+}  // namespace
+
+std::string FrameActions::unknown_thing(const NounPhrase& phrase, Sort sort) const {
+  if (phrase.pronoun)
+    return "it is not clear what \"" + (phrase.word.empty() ? "it" : phrase.word) + "\" means here";
+  if (phrase.unknown) return unknown_name(phrase.word);
+  if (phrase.bare()) return "it is not clear what is meant";
+  const std::string said = phrase.word.empty() ? phrase.phrase : phrase.word;
+  if (!resolver_.named(phrase).empty()) {
+    const std::string name = resolver_.name(resolver_.named(phrase).front());
+    switch (sort) {
+      case Sort::kMovable:
+        return now_.has(Relation::kIsGraspable, resolver_.named(phrase).front())
+                   ? "no " + said + " here is as the sentence says; there is " + name
+                   : name + " cannot be picked up";
+      case Sort::kPlace:
+        return "nothing can be put on or into " + name;
+      case Sort::kDevice:
+        return name + " cannot be turned on or off";
+      case Sort::kVessel:
+        return name + " is nothing that one could fill or pour from";
+      case Sort::kAny:
+        break;
+    }
+    return "no " + said + " here is as the sentence says; there is " + name;
+  }
+  std::string examples;
+  int count = 0;
+  for (const Symbol object : resolver_.all(sort, now_))
+    if (count++ < 3) examples += (examples.empty() ? "" : ", ") + resolver_.name(object);
+  return not_here("there is no " + said + " here" +
+                  (examples.empty() ? "" : "; there are, for example, " + examples));
+}
+
+std::string FrameActions::not_here(Problem problem) const {
+  missing_ = problem;
+  return problem;
+}
+
+// A name that no thing of any world has. Of an English word it is known what kind of thing that would be:
+// milk is a drink, so the drinks that are here are told; of others the nearest in spelling.
+std::string FrameActions::unknown_name(const std::string& word) const {
+  const std::string kind = language_.kind_of(word);
+  if (kind.empty()) return not_here(language_.unknown_word(word));
+  std::string examples;
+  int count = 0;
+  for (const SeenObject& object : resolver_.objects()) {
+    const ObjectClass* c = resolver_.class_of(object.symbol);
+    if (c == nullptr || !c->is(kind) || count++ >= kMostExamples) continue;
+    examples += (examples.empty() ? "" : ", ") + resolver_.name(object.symbol);
+  }
+  return not_here("there is no " + word + " here" +
+                  (examples.empty() ? ", nor any other " + kind
+                                    : "; of the same kind (" + kind + ") there are " + examples));
+}
+
+}  // namespace goalnet::inference

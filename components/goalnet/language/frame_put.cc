@@ -1,0 +1,248 @@
+// Putting things somewhere.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/symbol_list.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+std::string FrameActions::put(const Clause& said) {
+  Clause clause = said;
+  // "put the mug in the sink and the glass too": what is joined to a place, but is none, is moved as well
+  bool first_place = true;
+  for (NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != Role::kDestination) continue;
+    const ObjectClass* c = nullptr;
+    if (!first_place && !phrase.pronoun && !phrase.bare())
+      if (const auto options = resolver_.options(phrase, Sort::kMovable, now_); !options.empty())
+        c = resolver_.class_of(options.front());
+    if (c != nullptr && !c->place && phrase.joined) phrase.role = Role::kDirect;
+    first_place = false;
+  }
+  // "put mug sink"
+  if (clause.phrases.size() == 1 && clause.first(Role::kDirect) != nullptr &&
+      !clause.phrases.front().modifier.empty() && clause.particles.empty() &&
+      resolver_.options(clause.phrases.front(), Sort::kMovable, now_).empty()) {
+    NounPhrase moved = clause.phrases.front();
+    moved.phrase = moved.word = moved.modifier;
+    moved.modifier.clear();
+    NounPhrase& place = clause.phrases.front();
+    place.role = Role::kDestination, place.where = Where::kOn;
+    place.modifier.clear();
+    clause.phrases.push_back(moved);
+  }
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  const NounPhrase* destination = nullptr;
+  int places_said = 0;
+  for (const NounPhrase& phrase : clause.phrases)
+    if (phrase.role == Role::kDestination) destination = &phrase, ++places_said;
+  // "with the other drinks": where those are
+  if (destination == nullptr && thing != nullptr)
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kWith && !phrase.bare() && !phrase.pronoun &&
+          !resolver_.options(phrase, Sort::kMovable, now_).empty()) {
+        phrase.role = Role::kDestination, phrase.where = Where::kNear;
+        destination = &phrase;
+        break;
+      }
+  // Of two places the first says where it is: "put the cup on the counter in the sink".
+  if (places_said > 1)
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kDestination && &phrase != destination) phrase.role = Role::kSource;
+
+  if (destination == nullptr) {
+    const bool on = clause.has_particle("on"), off = clause.has_particle("off");
+    if (on || off) {
+      if (thing != nullptr && !thing->pronoun && !resolver_.options(*thing, Sort::kDevice, now_).empty())
+        return turn(clause, on ? 1 : 0);
+      if (on && thing != nullptr &&
+          resolver_.is_of_class(
+              resolver_.named(*thing).empty() ? Symbol{kNone} : resolver_.named(*thing).front(), "kettle"))
+        return heat(clause, true);  // "put the kettle on"
+    }
+    if (clause.verb == "drop" || clause.has_particle("down")) return release(clause);
+    if (clause.frame == Frame::kBring || clause.to_person) return take(clause);
+    Problem problem;
+    const auto objects = direct(clause, Sort::kMovable, problem);
+    if (!problem.empty()) return problem;
+    if (clause.has_particle("back")) {
+      for (const Symbol object : objects) {
+        const Symbol place = resolver_.place_of(object, start_);
+        if (place == kNone) return "it is not known where " + resolver_.name(object) + " was";
+        if (problem = keep(object, place, start_.has(Relation::kIn, object, place) ? Where::kIn : Where::kOn);
+            !problem.empty())
+          return problem;
+      }
+      return {};
+    }
+    if (clause.has_particle("away") || clause.verb == "store" || clause.verb == "stow") {
+      for (const Symbol object : objects) {
+        const ObjectClass* c = resolver_.class_of(object);
+        const bool cold = c->food || c->drink;
+        Symbol home = kNone;
+        for (const SeenObject& place : resolver_.objects())
+          if (home == kNone &&
+              ((cold && place.symbol == kFridge) || resolver_.is_of_class(place.symbol, "shelf")))
+            home = place.symbol;
+        if (home == kNone) return "it is not clear where to put " + resolver_.name(object) + " away";
+        if (problem = keep(object, home, home == kFridge ? Where::kIn : Where::kOn); !problem.empty())
+          return problem;
+      }
+      return {};
+    }
+    return "it is not clear where to put " + resolver_.name(objects.front());
+  }
+  if (thing == nullptr)
+    return clause.frame == Frame::kBring || clause.frame == Frame::kTake || clause.verb == "move"
+               ? go(clause)
+               : "it is not clear what to put there";
+  if (thing->scoop) return scoop(clause);
+  if (language_.tv_word(destination->phrase)) return television(clause);  // "put the tv on channel 2"
+  if (language_.content(destination->phrase) == kIceCream && !thing->pronoun &&
+      !resolver_.named(*thing).empty() && resolver_.named(*thing).front() == kSpoon_1)
+    return scoop_into(kNone, 1);
+  // "put a pot of water on the stove": it has none yet
+  for (NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != Role::kDirect || phrase.content.empty()) continue;
+    NounPhrase plain = phrase;
+    plain.content.clear();
+    const auto vessels = resolver_.options(plain, Sort::kVessel, now_);
+    if (resolver_.options(phrase, Sort::kMovable, now_).empty() && !vessels.empty()) {
+      if (const Problem problem = fill_one(vessels.front(), language_.content(phrase.content));
+          !problem.empty())
+        return problem;
+    }
+  }
+
+  // Contents are poured, shaken or scooped; only vessels are carried.
+  const Symbol content = thing->pronoun ? Symbol{kNone} : language_.content(thing->phrase);
+  const auto vessels = destination->pronoun || destination->bare()
+                           ? Objects{}
+                           : resolver_.options(*destination, Sort::kPlace, now_);
+  const bool into_dish =
+      !vessels.empty() && (resolver_.is_vessel(vessels.front()) || resolver_.class_of(vessels.front())->dish);
+  // "put the noodles into the kettle with some water"
+  const auto with_the_rest = [&](const Problem& so_far) {
+    const NounPhrase* with = clause.first(Role::kWith);
+    if (!so_far.empty() || with == nullptr || !into_dish || vessels.empty()) return so_far;
+    bool done = false;
+    return add_content(*with, history_.empty() ? vessels.front() : history_.back().front(), done);
+  };
+  if (content != kNone && into_dish && thing->content.empty()) {
+    if (content == kWater || content == kCoffee) return with_the_rest(pour(clause));
+    if (content == kIceCream) return with_the_rest(scoop(clause));
+    // "serve coke in a glass": a can does not go into a glass, what it holds does
+    const bool drink = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
+    if (drink && destination->where != Where::kOn && destination->where != Where::kNear)
+      return with_the_rest(pour(clause));
+    if (content == kSalt || content == kChocolate || content == kVanilla || content == kRamen ||
+        content == kEgg || thing->some) {
+      Clause only = clause;
+      std::erase_if(only.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kWith; });
+      return with_the_rest(add_to(only));
+    }
+  }
+  if (content == kWater && !into_dish && vessel_with(kWater) == kNone) return heat(clause, true);
+
+  // "a pillow on each couch": as many as there are couches
+  if (destination->all && !thing->pronoun && !thing->plural && thing->count < 2 && !thing->all &&
+      vessels.size() > 1)
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kDirect) phrase.count = static_cast<int>(vessels.size());
+  avoid_ = destination->pronoun || destination->bare() ? Objects{} : vessels;
+  Problem problem;
+  const auto objects = direct(clause, Sort::kMovable, problem);
+  avoid_.clear();
+  if (!problem.empty()) return problem;
+  moves_ = clause.frame == Frame::kBring && objects.size() == 1;
+  problem = put_at(clause, objects, *destination);
+  moves_ = false;
+  if (!problem.empty()) return problem;
+  if (const NounPhrase* with = clause.first(Role::kWith);
+      with != nullptr && !last_destination_.empty() && into_dish) {
+    bool done = false;
+    return add_content(*with, last_destination_.front(), done);
+  }
+  return {};
+}
+
+std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
+                                 const NounPhrase& destination) {
+  Problem problem;
+  Objects targets;
+  Where where = destination.where;
+  if (where == Where::kNear) {
+    // beside a thing: on what it stands on; beside a fixture: on the counter
+    Objects beside = destination.pronoun ? pronoun(destination, Sort::kAny, objects) : Objects{};
+    if (!destination.pronoun && !destination.bare())
+      beside = resolver_.options(destination, Sort::kAny, now_);
+    std::erase_if(beside, [&](Symbol object) { return contains(objects, object); });
+    if (beside.empty()) return unknown_thing(destination, Sort::kAny);
+    Symbol support = resolver_.place_of(beside.front(), now_);
+    const bool fixture = beside.front() == kSink || beside.front() == kSinkKnob || beside.front() == kStove ||
+                         beside.front() == kMicrowave || beside.front() == kFridge;
+    if (support == kNone && (fixture || now_.has(Relation::kIsGraspable, beside.front())))
+      support = surface();
+    if (support == kNone)
+      return "there is nothing beside " + resolver_.name(beside.front()) + " to put things on";
+    targets = {support};
+    where = now_.has(Relation::kIn, beside.front(), support) ? Where::kIn : Where::kOn;
+  } else {
+    targets = places(destination, objects, objects.size(), problem);
+  }
+  if (!problem.empty()) return problem;
+  if (where == Where::kUnder && targets.front() != kSink)
+    return "things cannot be put under " + resolver_.name(targets.front());
+  if (destination.pronoun && destination.word != "there" && where == Where::kTo) where = Where::kOn;
+  // Where the place is not said exactly, what is there already may stay.
+  Objects all = destination.pronoun ? targets : resolver_.options(destination, Sort::kPlace, now_);
+  if (destination.ordinal > 0 || destination.number > 0 || where == Where::kNear) all = targets;
+  const bool one_each = destination.all && objects.size() <= targets.size();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Symbol object = objects[i];
+    Symbol target = targets[i % targets.size()];
+    if (!one_each && objects.size() > 1 && !clause.has("one") &&
+        contains(all, resolver_.place_of(object, now_)))
+      continue;
+    if (!destination.all && destination.count < 2) {
+      target = targets.front();
+      // several things, one burner each
+      if (objects.size() > 1 && resolver_.is_of_class(target, "burner")) target = burner_for(object);
+    }
+    if (object == kSalt_1 && (resolver_.is_vessel(target) || resolver_.class_of(target)->dish)) {
+      if (problem = act({Verb::kAdd, object, target}); !problem.empty()) return problem;
+      continue;
+    }
+    if (now_.has(Relation::kIsSqueezeable, object) &&
+        (resolver_.is_vessel(target) || resolver_.class_of(target)->dish)) {
+      if (problem = act({Verb::kSqueeze, object, target}); !problem.empty()) return problem;
+      continue;
+    }
+    if (problem = keep(object, target, where); !problem.empty()) return problem;
+  }
+  last_destination_ = {targets.front()};
+  history_.insert(history_.end() - static_cast<long>(history_.empty() ? 0 : 1), last_destination_);
+  return {};
+}
+
+std::string FrameActions::insert(const Clause& clause) {
+  Problem problem;
+  const auto objects = direct(clause, Sort::kMovable, problem);
+  const NounPhrase* destination = clause.first(Role::kDestination);
+  if (!problem.empty()) return problem;
+  if (destination == nullptr) {
+    if (resolver_.is_of_class(objects.front(), "cd") && resolver_.exists(resolver_.xbox())) {
+      for (const Symbol object : objects)
+        if (problem = keep(object, resolver_.xbox(), Where::kIn); !problem.empty()) return problem;
+      return {};
+    }
+    return "it is not clear where to " + clause.verb + " it";
+  }
+  NounPhrase inside = *destination;
+  inside.where = Where::kIn;
+  return put_at(clause, objects, inside);
+}
+
+}  // namespace goalnet::inference

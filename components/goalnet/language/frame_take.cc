@@ -1,0 +1,117 @@
+// Going to things, taking them, letting go of them.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/symbol_list.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+std::string FrameActions::go(const Clause& clause) {
+  if (about_television(clause)) return television(clause);
+  const NounPhrase* phrase = clause.first(Role::kDestination);
+  if (phrase == nullptr) phrase = clause.first(Role::kDirect);
+  if (phrase == nullptr)
+    return clause.to_person ? "it is not known where you are" : "it is not clear where to go";
+  Objects options = phrase->pronoun ? pronoun(*phrase, Sort::kAny, {}) : Objects{};
+  if (!phrase->pronoun && !phrase->bare() && !phrase->everything)
+    options = resolver_.chosen(*phrase, resolver_.options(*phrase, Sort::kAny, now_));
+  if (options.empty()) return unknown_thing(*phrase, Sort::kAny);
+  remember({options.front()});
+  last_destination_ = {options.front()};
+  return now_.near(options.front()) ? Problem{} : act({Verb::kMoveTo, options.front()});
+}
+
+std::string FrameActions::take(const Clause& clause) {
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.scoop) return scoop(clause);
+    if (language_.tv_word(phrase.phrase) && phrase.role == Role::kDirect)
+      return television(clause);  // "give me channel 5"
+  }
+  // "I want the book on the shelf", "gather the pillows on the couch": put it there, unless that says which
+  const bool there_or_which = clause.wish || clause.verb == "gather" || clause.verb == "collect";
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      there_or_which && thing != nullptr && !thing->at.empty() && !thing->everything) {
+    const int loose = resolver_.doubts().loose;
+    const auto there = resolver_.options(*thing, Sort::kMovable, now_);
+    const bool content = language_.content(thing->phrase) != kNone && there.empty();
+    if ((resolver_.doubts().loose > loose && !there.empty()) || content) {
+      resolver_.doubts().loose = loose;
+      Clause wanted = clause;
+      for (NounPhrase& phrase : wanted.phrases)
+        if (phrase.role == Role::kDirect && !phrase.at.empty()) {
+          NounPhrase place = phrase.at.front();
+          place.role = Role::kDestination;
+          phrase.at.clear();
+          wanted.phrases.push_back(place);
+          break;
+        }
+      wanted.frame = Frame::kPlace, wanted.to_person = false;
+      return put(wanted);
+    }
+  }
+  // "I would like my coffee with vanilla syrup"
+  if (const NounPhrase* with = clause.first(Role::kWith); with != nullptr && !with->pronoun && !with->bare())
+    if (const NounPhrase* thing = clause.first(Role::kDirect);
+        thing != nullptr && !thing->pronoun && !thing->bare()) {
+      const auto vessels = resolver_.options(*thing, Sort::kVessel, now_);
+      bool done = false;
+      if (!vessels.empty() && language_.content(with->phrase) != kNone)
+        if (const Problem problem = add_content(*with, vessels.front(), done); !problem.empty())
+          return problem;
+    }
+  // "bring me a glass of water": nothing has it yet
+  if (const NounPhrase* thing = clause.first(Role::kDirect); thing != nullptr && !thing->pronoun &&
+                                                             !thing->everything &&
+                                                             clause.first(Role::kDestination) == nullptr) {
+    const Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
+    const bool drink = content == kWater || content == kCoffee;
+    if (drink && resolver_.options(*thing, Sort::kMovable, now_).empty()) return make(clause);
+  }
+  // "take the mug to the sink" says where to put it; "take the mug on the shelf" where it is.
+  Clause located = clause;
+  for (NounPhrase& phrase : located.phrases) {
+    if (phrase.role != Role::kDestination) continue;
+    if (phrase.where == Where::kTo || clause.has("into") || clause.has("onto")) return put(clause);
+    phrase.role = Role::kSource;
+  }
+  Problem problem;
+  const auto objects = direct(located, Sort::kMovable, problem);
+  if (!problem.empty()) return problem;
+  for (const Symbol object : objects) {
+    if (now_.holds(object)) continue;
+    if (problem = act({Verb::kGrasp, object}); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+std::string FrameActions::release(const Clause& clause) {
+  if (clause.first(Role::kDestination) != nullptr) return put(clause);
+  Objects objects;
+  bool said = false;
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role != Role::kDirect) continue;
+    said = true;
+    Objects options;
+    if (phrase.pronoun || phrase.everything) {
+      for (const SymFact fact : now_.facts())
+        if (relation_of(fact) == Relation::kGrasping) options.push_back(object_of(fact));
+    } else {
+      options = resolver_.options(phrase, Sort::kMovable, now_);
+      std::erase_if(options, [&](Symbol object) { return !now_.holds(object); });
+      options = resolver_.chosen(phrase, options);
+    }
+    if (options.empty()) return "the robot does not hold that";
+    objects.insert(objects.end(), options.begin(), options.end());
+  }
+  if (!said)
+    for (const SymFact fact : now_.facts())
+      if (relation_of(fact) == Relation::kGrasping) objects.push_back(object_of(fact));
+  if (objects.empty()) return "it is not clear what to let go of";
+  for (const Symbol object : objects)
+    if (const Problem problem = act({Verb::kRelease, object}); !problem.empty()) return problem;
+  return {};
+}
+
+}  // namespace goalnet::inference

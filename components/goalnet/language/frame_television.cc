@@ -1,0 +1,76 @@
+// Channels and volume.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+namespace {
+
+constexpr int kChannels = 6;
+
+}  // namespace
+
+bool FrameActions::about_television(const Clause& clause) const {
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (language_.tv_word(phrase.phrase)) return true;
+    for (const Symbol named : phrase.phrase.empty() ? Objects{} : resolver_.named(phrase))
+      if (named == kTv_1) return true;
+    if (phrase.pronoun) {
+      const auto it = pronoun(phrase, Sort::kDevice, {});
+      if (!it.empty() && it.front() == kTv_1) return true;
+      const bool sound =
+          clause.frame == Frame::kRaise || clause.frame == Frame::kLower || clause.frame == Frame::kMute;
+      if (it.empty() && sound && history_.empty()) return true;  // "make it quiet"
+    }
+  }
+  return clause.has("channel") || clause.has("volume") || clause.has("sound");
+}
+
+std::string FrameActions::television(const Clause& clause) {
+  if (!resolver_.exists(kTv_1)) return not_here("there is no television here");
+  if (!about_television(clause)) return "it is not clear what to " + clause.verb;
+  const bool down = clause.has("down") || clause.has("previous") || clause.has("lower") ||
+                    clause.has("back") || clause.has("last") || clause.has("before") ||
+                    clause.frame == Frame::kLower;
+  bool other_things = false;  // "mute the pillow"
+  int channel = 0;
+  for (const NounPhrase& phrase : clause.phrases) {
+    channel = std::max({channel, phrase.number, phrase.ordinal, phrase.pronoun ? phrase.count : 0});
+    if (phrase.phrase.empty() || language_.tv_word(phrase.phrase)) continue;
+    const auto named = resolver_.named(phrase);
+    other_things =
+        other_things || (std::find(named.begin(), named.end(), Symbol{kTv_1}) == named.end() &&
+                         std::find(named.begin(), named.end(), Symbol{kTv_1Remote_1}) == named.end());
+  }
+  if (other_things) return "it is not clear what to " + clause.verb;
+  const bool channels = clause.has("channel") || clause.frame == Frame::kChange;
+  const bool quiet = down || clause.frame == Frame::kMute || clause.has_particle("off");
+  if (!channels && quiet && !is_on(kTv_1)) {  // it is silent already
+    remember({Symbol{kTv_1}});
+    return {};
+  }
+  if (const Problem problem = turn_on(kTv_1, true, 0); !problem.empty()) return problem;
+  remember({Symbol{kTv_1}});
+  if (channels) {
+    int now = 0;
+    for (int i = 1; i <= kChannels; ++i)
+      if (now_.is(kTv_1, static_cast<Symbol>(kChannel1 + i - 1))) now = i;
+    if (now == 0) return "it is not known which channel is on";
+    if (channel > kChannels) return "there are only " + std::to_string(kChannels) + " channels";
+    const int target = channel > 0 ? channel : (now - 1 + (down ? kChannels - 1 : 1)) % kChannels + 1;
+    const bool up = (target - now + kChannels) % kChannels <= kChannels / 2;
+    for (; now != target; now = (now - 1 + (up ? 1 : kChannels - 1)) % kChannels + 1)
+      if (const Problem problem =
+              act({Verb::kPress, up ? Symbol{kTv_1ChannelUpButton} : Symbol{kTv_1ChannelDownButton}});
+          !problem.empty())
+        return problem;
+    return {};
+  }
+  if (now_.is(kTv_1, kVolume) != quiet) return {};
+  return act({Verb::kPress, quiet ? Symbol{kTv_1VolumeDownButton} : Symbol{kTv_1VolumeUpButton}});
+}
+
+}  // namespace goalnet::inference

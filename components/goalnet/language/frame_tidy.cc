@@ -1,0 +1,144 @@
+// Throwing away, clearing places, swapping, cooling, playing a game.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/symbol_list.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+std::string FrameActions::discard(const Clause& clause) {
+  if (const NounPhrase* to = clause.first(Role::kDestination); to != nullptr) {
+    const auto at = to->pronoun || to->bare() ? Objects{} : resolver_.options(*to, Sort::kPlace, now_);
+    const bool bin = !at.empty() && (at.front() == kGarbageBin_1 || at.front() == kGarbageBag_1);
+    const bool away = clause.has_particle("away") || clause.has_particle("out") || clause.verb == "discard" ||
+                      clause.verb == "trash";
+    if (bin || !away) return put(clause);
+    Clause located = clause;  // "throw away the chips on the couch"
+    for (NounPhrase& phrase : located.phrases)
+      if (phrase.role == Role::kDestination) phrase.role = Role::kSource;
+    return discard(located);
+  }
+  if (clause.to_person) return take(clause);  // "throw me the remote"
+  const bool flung = clause.verb == "throw" || clause.verb == "toss" || clause.verb == "chuck";
+  if (flung && !clause.has_particle("away") && !clause.has_particle("out"))
+    return "it is not clear where to " + clause.verb + " that; say \"throw ... away\" for the bin";
+  const Symbol content = mentioned_content(clause, Role::kDirect);
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  const Symbol bin = resolver_.exists(kGarbageBin_1) ? Symbol{kGarbageBin_1} : Symbol{kNone};
+  if (bin == kNone && content != kNone && thing != nullptr) return pour(clause);
+  if (bin == kNone) return not_here("there is no bin here to throw things into");
+  Problem problem;
+  const auto objects = direct(clause, Sort::kMovable, problem);
+  if (!problem.empty()) return problem;
+  for (const Symbol object : objects) {
+    if (object == bin) return "the bin cannot be thrown into itself";
+    if (problem = keep(object, bin, Where::kIn); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+std::string FrameActions::swap(const Clause& clause) {
+  Problem problem;
+  Objects two;
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.role == Role::kDestination &&
+        thing != nullptr) {  // "the pillows on armchair 1 and armchair 3"
+      NounPhrase one = *thing;
+      one.plural = false, one.count = 0, one.all = false;
+      one.at = {phrase};
+      const auto found = resolver_.options(one, Sort::kMovable, now_);
+      if (!found.empty()) two.push_back(found.front());
+    }
+  }
+  if (two.empty()) {
+    two = direct(clause, Sort::kMovable, problem);
+    const auto with = role_objects(clause, Role::kWith, Sort::kMovable, problem);
+    two.insert(two.end(), with.begin(), with.end());
+  }
+  if (!problem.empty()) return problem;
+  if (two.size() != 2) return "two things are needed to " + clause.verb;
+  const Symbol a = two[0], b = two[1], at_a = resolver_.place_of(a, now_), at_b = resolver_.place_of(b, now_);
+  if (at_a == kNone || at_b == kNone) return "it is not known where both of them stand";
+  const Where to_a = now_.has(Relation::kIn, a, at_a) ? Where::kIn : Where::kOn;
+  const Where to_b = now_.has(Relation::kIn, b, at_b) ? Where::kIn : Where::kOn;
+  // Where on a place things stand is not known: nothing would tell that they were swapped.
+  if (at_a == at_b)
+    return resolver_.name(a) + " and " + resolver_.name(b) + " are both at " + resolver_.name(at_a) +
+           "; only things at two places can be swapped";
+  remember(two);
+  if (problem = act({Verb::kGrasp, a}); !problem.empty()) return problem;
+  if (problem = keep(b, at_a, to_a); !problem.empty()) return problem;
+  return keep(a, at_b, to_b);
+}
+
+std::string FrameActions::clear(const Clause& clause) {
+  const NounPhrase* place = clause.first(Role::kSource);
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  if (place == nullptr && thing != nullptr && !thing->at.empty()) place = &thing->at.front();
+  if (place == nullptr) place = thing;
+  if (place == nullptr) return "it is not clear what to clear";
+  auto options = place->pronoun ? pronoun(*place, Sort::kPlace, {})
+                                : resolver_.chosen(*place, resolver_.options(*place, Sort::kPlace, now_));
+  if (options.empty()) return unknown_thing(*place, Sort::kPlace);
+  const bool stove =
+      resolver_.is_of_class(options.front(), "burner") && place->ordinal == 0 && place->number == 0;
+  if (stove && !place->pronoun) options = resolver_.options(*place, Sort::kPlace, now_);
+  Objects there;
+  for (const Symbol at : options) {
+    if (resolver_.is_vessel(at)) return empty(clause);
+    for (const Symbol object : resolver_.things_at(at, now_))
+      if (now_.has(Relation::kIsGraspable, object)) there.push_back(object);
+  }
+  if (place != thing && thing != nullptr && !thing->everything && !thing->pronoun) {
+    const auto meant = resolver_.options(*thing, Sort::kMovable, now_);
+    std::erase_if(there, [&](Symbol object) { return !contains(meant, object); });
+  }
+  Symbol target = surface();
+  if (contains(options, target)) target = kNone;
+  for (const SeenObject& other : resolver_.objects())
+    if (target == kNone && resolver_.class_of(other.symbol)->place && !contains(options, other.symbol) &&
+        other.symbol != kFridge && other.symbol != kMicrowave && other.symbol != kSink &&
+        !now_.has(Relation::kIsGraspable, other.symbol) && !resolver_.is_of_class(other.symbol, "burner"))
+      target = other.symbol;
+  if (const NounPhrase* to = clause.first(Role::kDestination); to != nullptr) return put(clause);
+  if (target == kNone)
+    return "it is not clear where to put what is there; say for example \"put everything in the sink\"";
+  for (const Symbol object : there)
+    if (const Problem problem = keep(object, target, Where::kOn); !problem.empty()) return problem;
+  remember(there);
+  return {};
+}
+
+std::string FrameActions::cool(const Clause& clause) {
+  if (!resolver_.exists(kFridge)) return not_here("there is no fridge here");
+  Problem problem;
+  const auto objects = direct(clause, Sort::kMovable, problem);
+  if (!problem.empty()) return problem;
+  for (const Symbol object : objects) {
+    const ObjectClass* c = resolver_.class_of(object);
+    if (!c->food && !c->drink && !resolver_.is_vessel(object))
+      return resolver_.name(object) + " is nothing to " + clause.verb;
+    if (problem = keep(object, kFridge, Where::kIn); !problem.empty()) return problem;
+  }
+  last_destination_ = {Symbol{kFridge}};
+  return {};
+}
+
+std::string FrameActions::play(const Clause& clause) {
+  if (!resolver_.exists(resolver_.xbox())) return not_here("there is no console here to play on");
+  Symbol disc = kNone;
+  for (const NounPhrase& phrase : clause.phrases)
+    if (!phrase.pronoun && !phrase.bare() && !phrase.everything)
+      for (const Symbol option : resolver_.options(phrase, Sort::kMovable, now_))
+        if (disc == kNone && resolver_.is_of_class(option, "cd")) disc = option;
+  for (const SeenObject& object : resolver_.objects())
+    if (disc == kNone && resolver_.is_of_class(object.symbol, "cd")) disc = object.symbol;
+  if (disc == kNone) return not_here("there is no disc here to play");
+  if (const Problem problem = turn_on(kTv_1, true, 0); !problem.empty()) return problem;
+  return keep(disc, resolver_.xbox(), Where::kIn);
+}
+
+}  // namespace goalnet::inference

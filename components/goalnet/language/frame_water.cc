@@ -1,0 +1,213 @@
+// Filling, pouring, emptying and washing.
+#include <algorithm>
+
+#include "components/goalnet/language/frame_actions.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+std::string FrameActions::fill_with_water(Symbol vessel) {
+  if (now_.is(vessel, kWater)) return {};
+  if (!resolver_.exists(kSink)) return not_here("there is no tap here to take water from");
+  if (!now_.has(Relation::kOn, vessel, kSink))
+    if (const Problem problem = act({Verb::kKeepOn, vessel, kSink}); !problem.empty()) return problem;
+  if (now_.is(vessel, kWater)) return {};
+  if (now_.is(kSinkKnob, kTapIsOn))  // it ran past the vessel: once more
+    if (const Problem problem = act({Verb::kTurn, kSinkKnob}); !problem.empty()) return problem;
+  return act({Verb::kTurn, kSinkKnob});
+}
+
+std::string FrameActions::fill_one(Symbol vessel, Symbol content) {
+  if (now_.is(vessel, content)) return {};
+  const Symbol source = vessel_with(content);
+  if (source != kNone && source != vessel && content != kWater) return act({Verb::kPourInto, source, vessel});
+  if (content == kWater) return fill_with_water(vessel);
+  if (content == kIceCream) return scoop_into(vessel, 1);
+  return "nothing here holds that to pour it";
+}
+
+std::string FrameActions::fill(const Clause& said) {
+  Clause clause = said;
+  // "fill water into the mug"
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  Symbol content = mentioned_content(clause, Role::kWith);
+  if (thing != nullptr && content == kNone && clause.first(Role::kDestination) != nullptr &&
+      language_.content(thing->phrase) != kNone && thing->content.empty()) {
+    content = language_.content(thing->phrase);
+    std::erase_if(clause.phrases, [](const NounPhrase& p) { return p.role == Role::kDirect; });
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kDestination) phrase.role = Role::kDirect;
+  }
+  // "fill a glass of water", "fill the mug with coffee": the content is wanted, not there
+  bool hot = false;
+  for (NounPhrase& phrase : clause.phrases) {
+    if (phrase.role == Role::kDirect && !phrase.content.empty() && content == kNone) {
+      content = language_.content(phrase.content);
+      phrase.content.clear();
+    }
+    hot = hot || (phrase.role == Role::kWith && phrase.has("hot"));
+  }
+  Objects sources;
+  Problem problem;
+  for (const NounPhrase& phrase : clause.phrases)
+    if (phrase.role == Role::kSource && !phrase.pronoun)
+      sources = resolver_.options(phrase, Sort::kVessel, now_);
+  std::erase_if(clause.phrases, [](const NounPhrase& p) { return p.role == Role::kSource; });
+  const auto vessels = direct(clause, Sort::kVessel, problem);
+  if (!problem.empty()) return problem;
+  const NounPhrase* with = clause.first(Role::kWith);
+  if (with != nullptr && content == kNone) {
+    if (with->has("everything") || with->pronoun) return "it is not clear what to fill it with";
+    bool done = false;
+    for (const Symbol vessel : vessels)
+      if (problem = add_content(*with, vessel, done); !problem.empty()) return problem;
+    return done ? Problem{} : "it is not known how to fill something with " + with->word;
+  }
+  if (content == kNone && !sources.empty())
+    for (Symbol c = kWater; c <= kEgg && content == kNone; ++c)
+      if (now_.is(sources.front(), c)) content = c;
+  if (content == kNone) content = kWater;
+  for (const Symbol vessel : vessels) {
+    const bool from = !sources.empty() && now_.is(sources.front(), content) && sources.front() != vessel;
+    problem = from ? act({Verb::kPourInto, sources.front(), vessel}) : fill_one(vessel, content);
+    if (!problem.empty()) return problem;
+  }
+  return hot && content == kWater ? heat_objects(vessels, true, nullptr) : Problem{};
+}
+
+std::string FrameActions::pour(const Clause& clause) {
+  Problem problem;
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  const NounPhrase* destination = clause.first(Role::kDestination);
+  const NounPhrase* source_phrase = clause.first(Role::kSource);
+  if (thing != nullptr && !thing->pronoun && destination == nullptr && !thing->content.empty())
+    return fill(clause);  // "pour me a cup of coffee"
+  const Symbol content = mentioned_content(clause, Role::kDirect);
+  if (content == kIceCream && destination != nullptr) return scoop(clause);
+  if (thing != nullptr && !thing->pronoun && destination != nullptr) {
+    const auto shaken = resolver_.options(*thing, Sort::kMovable, now_);
+    if (!shaken.empty() && (shaken.front() == kSalt_1 || now_.has(Relation::kIsSqueezeable, shaken.front()) ||
+                            shaken.front() == kRamen_1 || shaken.front() == kBoiledEgg_1))
+      return add_to(clause);
+    // "pour the chips into the bowl": what is no liquid is put there
+    if (!shaken.empty() && content == kNone && resolver_.class_of(shaken.front())->food &&
+        !resolver_.is_vessel(shaken.front()))
+      return put(clause);
+  }
+  Objects targets;
+  if (destination != nullptr) {
+    if (destination->pronoun) {
+      targets = pronoun(*destination, Sort::kVessel, {});
+    } else if (!destination->bare()) {
+      NounPhrase into = *destination;
+      targets = resolver_.options(into, Sort::kVessel, now_);
+      if (destination->all || destination->count > 1)
+        targets = resolver_.chosen(into, targets);
+      else if (destination->ordinal > 0)
+        targets = resolver_.chosen(into, targets);
+    }
+    if (targets.empty() && (destination->pronoun || destination->bare() ||
+                            resolver_.options(*destination, Sort::kPlace, now_).empty()))
+      return unknown_thing(*destination, Sort::kVessel);
+    if (targets.empty() && !resolver_.options(*destination, Sort::kPlace, now_).empty() &&
+        resolver_.options(*destination, Sort::kPlace, now_).front() != kSink)
+      return "nothing can be poured there";
+    if (!destination->all && destination->count < 2 && targets.size() > 1)
+      targets.erase(targets.begin() + 1, targets.end());
+  }
+  Symbol source = kNone;
+  if (source_phrase != nullptr && !source_phrase->pronoun) {
+    const auto options = resolver_.options(*source_phrase, Sort::kVessel, now_);
+    if (options.empty() && content == kWater && !targets.empty())
+      source = kNone;  // from the tap
+    else if (options.empty())
+      return unknown_thing(*source_phrase, Sort::kVessel);
+    else
+      source = options.front();
+  } else if (content != kNone) {
+    source = vessel_with(content);
+    if (source == kNone && content != kWater) {
+      const auto cans = resolver_.options(*thing, Sort::kVessel, now_);
+      return cans.empty() ? "nothing here holds " + thing->word
+                          : resolver_.name(cans.front()) + " holds nothing that could be poured";
+    }
+  } else {
+    const auto objects = direct(clause, Sort::kVessel, problem);
+    if (!problem.empty()) return problem;
+    source = objects.front();
+  }
+  if (source == kNone && content == kWater && !targets.empty()) {
+    for (const Symbol target : targets)
+      if (problem = fill_with_water(target); !problem.empty()) return problem;
+    remember(targets);
+    return {};
+  }
+  if (source == kNone) return "nothing here holds that to pour it";
+  bool holds_something = false;
+  for (Symbol c = kWater; c <= kEgg; ++c) holds_something = holds_something || now_.is(source, c);
+  if (targets.empty()) {
+    remember({source});
+    return holds_something ? act({Verb::kPour, source}) : Problem{};
+  }
+  if (!holds_something) return resolver_.name(source) + " is empty";
+  std::erase(targets, source);
+  if (targets.empty()) return "a thing cannot be poured into itself";
+  if (targets.size() > 1)
+    return "what " + resolver_.name(source) + " holds can be poured into one vessel only";
+  problem = act({Verb::kPourInto, source, targets.front()});
+  remember(targets);
+  return problem;
+}
+
+std::string FrameActions::empty(const Clause& clause) {
+  if (mentioned_content(clause, Role::kDirect) != kNone) return pour(clause);
+  const NounPhrase* destination = clause.first(Role::kDestination);
+  if (destination != nullptr && !destination->pronoun && !destination->bare() &&
+      !resolver_.options(*destination, Sort::kVessel, now_).empty())
+    return pour(clause);
+  // "dump the trash bag into the bin": what is no vessel goes there as it is
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      destination != nullptr && thing != nullptr && !thing->pronoun && !thing->bare() && !thing->everything &&
+      resolver_.options(*thing, Sort::kVessel, now_).empty() &&
+      !resolver_.options(*thing, Sort::kMovable, now_).empty())
+    return put(clause);
+  // "empty the shelf"
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      thing != nullptr && !thing->pronoun && !thing->bare() &&
+      resolver_.options(*thing, Sort::kVessel, now_).empty()) {
+    const auto places = resolver_.options(*thing, Sort::kPlace, now_);
+    if (!places.empty() && resolver_.class_of(places.front())->place &&
+        !now_.has(Relation::kIsGraspable, places.front()))
+      return clear(clause);
+  }
+  Problem problem;
+  const auto vessels = direct(clause, Sort::kVessel, problem);
+  if (!problem.empty()) return problem;
+  for (const Symbol vessel : vessels) {
+    bool anything = false;
+    for (Symbol c = kWater; c <= kEgg; ++c) anything = anything || now_.is(vessel, c);
+    if (anything)
+      if (problem = act({Verb::kPour, vessel}); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+std::string FrameActions::wash(const Clause& clause) {
+  Problem problem;
+  if (!resolver_.exists(kSink)) return not_here("there is no sink here");
+  const auto objects = direct(clause, Sort::kMovable, problem);
+  if (!problem.empty()) return problem;
+  for (const Symbol object : objects) {
+    const ObjectClass* c = resolver_.class_of(object);
+    if (!resolver_.is_vessel(object) && !c->dish && !c->utensil)
+      return resolver_.name(object) + " should not be washed";
+  }
+  for (const Symbol object : objects)
+    if (problem = keep(object, kSink, Where::kOn); !problem.empty()) return problem;
+  const bool wet =
+      std::all_of(objects.begin(), objects.end(), [&](Symbol object) { return now_.is(object, kWater); });
+  return wet && now_.is(kSinkKnob, kTapIsOn) ? Problem{} : turn_on(kSinkKnob, true, 0);
+}
+
+}  // namespace goalnet::inference

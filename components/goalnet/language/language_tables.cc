@@ -1,0 +1,188 @@
+// Reads the tables of config/language.
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "components/goalnet/language/language.h"
+
+namespace goalnet::inference {
+
+using nlohmann::json;
+using std::string_view_literals::operator""sv;
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Frame>, 31> kFrames = {{
+    {"go", Frame::kGo},         {"take", Frame::kTake},       {"place", Frame::kPlace},
+    {"bring", Frame::kBring},   {"discard", Frame::kDiscard}, {"fill", Frame::kFill},
+    {"pour", Frame::kPour},     {"empty", Frame::kEmpty},     {"turn", Frame::kTurn},
+    {"start", Frame::kStart},   {"stop", Frame::kStop},       {"open", Frame::kOpen},
+    {"close", Frame::kClose},   {"wash", Frame::kWash},       {"heat", Frame::kHeat},
+    {"boil", Frame::kBoil},     {"add", Frame::kAdd},         {"squeeze", Frame::kSqueeze},
+    {"scoop", Frame::kScoop},   {"insert", Frame::kInsert},   {"release", Frame::kRelease},
+    {"change", Frame::kChange}, {"mute", Frame::kMute},       {"raise", Frame::kRaise},
+    {"lower", Frame::kLower},   {"try", Frame::kTry},         {"make", Frame::kMake},
+    {"swap", Frame::kSwap},     {"clear", Frame::kClear},     {"cool", Frame::kCool},
+    {"play", Frame::kPlay},
+}};
+
+Frame frame_named(std::string_view name) {
+  for (const auto& [known, frame] : kFrames)
+    if (known == name) return frame;
+  return Frame::kNone;
+}
+
+std::vector<std::string> split_words(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+// Words with a part in the grammar itself.
+constexpr std::array kGrammarWords = {
+    "on"sv,       "off"sv,     "up"sv,         "down"sv,      "out"sv,      "away"sv,  "over"sv,
+    "in"sv,       "back"sv,    "into"sv,       "onto"sv,      "inside"sv,   "from"sv,  "with"sv,
+    "under"sv,    "beside"sv,  "near"sv,       "it"sv,        "them"sv,     "this"sv,  "that"sv,
+    "these"sv,    "those"sv,   "me"sv,         "us"sv,        "all"sv,      "both"sv,  "each"sv,
+    "every"sv,    "one"sv,     "and"sv,        "then"sv,      "or"sv,       "not"sv,   "never"sv,
+    "without"sv,  "before"sv,  "after"sv,      "until"sv,     "while"sv,    "if"sv,    "unless"sv,
+    "because"sv,  "except"sv,  "everything"sv, "something"sv, "anything"sv, "rest"sv,  "other"sv,
+    "is"sv,       "are"sv,     "was"sv,        "should"sv,    "must"sv,     "need"sv,  "want"sv,
+    "please"sv,   "the"sv,     "wish"sv,       "use"sv,       "using"sv,    "let"sv,   "forgot"sv,
+    "somebody"sv, "someone"sv, "nobody"sv,     "everybody"sv, "everyone"sv, "he"sv,    "she"sv,
+    "whatever"sv, "better"sv,  "inside"sv,     "ensure"sv,    "there"sv,    "here"sv,  "ones"sv,
+    "through"sv,  "around"sv,  "upon"sv,       "towards"sv,   "toward"sv,   "below"sv, "behind"sv,
+    "against"sv,  "to"sv,      "at"sv,         "by"sv,        "of"sv,       "for"sv,   "you"sv,
+    "i"sv,        "we"sv,      "your"sv,       "my"sv};
+
+}  // namespace
+
+Expected<Language> Language::parse(std::string_view text, const std::string& name, const Lexicon& lexicon,
+                                   Symbols& symbols) {
+  Language language;
+  language.lexicon_ = &lexicon;
+  try {
+    const json file = json::parse(text);
+    for (const auto& [frame_name, words] : file.at("verbs").items()) {
+      const Frame frame = frame_named(frame_name);
+      if (frame == Frame::kNone)
+        return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
+      // The first frame that lists a word keeps it.
+      for (const auto& word : words) language.verbs_.try_emplace(word.get<std::string>(), frame);
+    }
+    for (const auto& [content, phrases] : file.at("contents").items())
+      for (const auto& phrase : phrases)
+        language.contents_[phrase.get<std::string>()] = symbols.intern(content);
+    for (const auto& word : file.at("fillers")) language.fillers_.insert(word.get<std::string>());
+  } catch (const json::exception& error) {
+    return fail(Outcome::kInvalidRequest, name + ": " + error.what());
+  }
+  language.collect_vocabulary();
+  return language;
+}
+
+void Language::collect_vocabulary() {
+  vocabulary_.clear();
+  for (const auto& [word, frame] : verbs_) vocabulary_.push_back(word);
+  for (const auto& [word, base] : inflected_) vocabulary_.push_back(word);
+  for (const auto& [word, count] : lexicon_->words()) vocabulary_.push_back(word);
+  for (const std::string& word : fillers_) vocabulary_.push_back(word);
+  for (const auto& [word, state] : states_) vocabulary_.push_back(word);
+  for (const auto& [word, wish] : wishes_) vocabulary_.push_back(word);
+  for (const std::string& word : questions_) vocabulary_.push_back(word);
+  if (!rewrites_.empty()) {  // a language of whole sentences
+    for (const auto& [first, list] : rewrites_)
+      for (const Rewrite& rule : list)
+        vocabulary_.insert(vocabulary_.end(), rule.from.begin(), rule.from.end());
+    for (const std::string_view word : kGrammarWords) vocabulary_.emplace_back(word);
+  }
+  std::sort(vocabulary_.begin(), vocabulary_.end());
+  vocabulary_.erase(std::unique(vocabulary_.begin(), vocabulary_.end()), vocabulary_.end());
+}
+
+// "a notch", "by two touches", "just a tad": how much more or less; nothing here has steps that could be
+// told. The words are known, but no typing error is mended to one.
+void Language::add_degrees(const std::vector<std::string>& units) {
+  for (const std::string& unit : units)
+    for (const std::string& word : {unit, unit + "s", unit + "es"}) {
+      seen_.insert(word);
+      for (const std::string by : {"", "by "})
+        for (const std::string count :
+             {"just a ", "just one ", "a wee ", "a little ", "a ", "one ", "another ", "two ", "three ",
+              "a few ", "a couple of ", "a couple ", "some "}) {
+          Rewrite rewrite{split_words(by + count + word), {}};
+          rewrites_[rewrite.from.front()].push_back(std::move(rewrite));
+        }
+    }
+}
+
+Expected<void> Language::add_english(std::string_view text, const std::string& name) {
+  std::vector<std::string> degrees;
+  try {
+    const json file = json::parse(text);
+    for (const auto& [frame_name, words] : file.at("verbs").items()) {
+      const Frame frame = frame_named(frame_name);
+      if (frame == Frame::kNone)
+        return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
+      for (const auto& word : words) verbs_[word.get<std::string>()] = frame;
+    }
+    for (const auto& [form, base] : file.at("inflected").items()) inflected_[form] = base.get<std::string>();
+    for (const auto& word : file.at("fillers")) fillers_.insert(word.get<std::string>());
+    for (const auto& word : file.at("no_fillers")) fillers_.erase(word.get<std::string>());
+    for (const auto& word : file.at("no_verbs")) verbs_.erase(word.get<std::string>());
+    for (const auto& word : file.at("questions")) questions_.insert(word.get<std::string>());
+    for (const auto& word : file.at("no_adverbs")) no_adverbs_.insert(word.get<std::string>());
+    for (const auto& [word, entry] : file.at("states").items()) {
+      StateWord& state = states_[word];
+      state.wanted = frame_named(entry.value("wanted", ""));
+      state.complaint = frame_named(entry.value("complaint", ""));
+      state.opposite = entry.value("opposite", "");
+    }
+    for (const auto& [word, command] : file.at("wishes").items())
+      wishes_[word] = split_words(command.get_ref<const std::string&>());
+    for (const auto& rule : file.at("rewrites")) {
+      Rewrite rewrite{split_words(rule.at(0).get_ref<const std::string&>()),
+                      split_words(rule.at(1).get_ref<const std::string&>())};
+      if (rewrite.from.empty())
+        return fail(Outcome::kInvalidRequest, name + ": 'rewrites' has an empty phrase");
+      rewrites_[rewrite.from.front()].push_back(std::move(rewrite));
+    }
+    degrees = file.value("degrees", degrees);  // older models have none
+  } catch (const json::exception& error) {
+    return fail(Outcome::kInvalidRequest, name + ": " + error.what());
+  }
+  collect_vocabulary();
+  add_degrees(degrees);
+  for (auto& [first, list] : rewrites_)
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Rewrite& a, const Rewrite& b) { return a.from.size() > b.from.size(); });
+  return {};
+}
+
+Expected<void> Language::add_other_words(std::string_view text, const std::string& name) {
+  try {
+    const json file = json::parse(text);
+    for (const auto& word : file.at("real_words")) real_words_.insert(word.get<std::string>());
+    for (const auto& [word, other] : file.at("synonyms").items())
+      if (!known(word) && known(other.get_ref<const std::string&>()))
+        synonyms_[word] = other.get<std::string>();
+  } catch (const json::exception& error) {
+    return fail(Outcome::kInvalidRequest, name + ": " + error.what());
+  }
+  return {};
+}
+
+Expected<void> Language::add_kinds(std::string_view text, const std::string& name) {
+  try {
+    const json file = json::parse(text);
+    for (const auto& [kind, words] : file.at("kinds").items())
+      for (const auto& word : words) kinds_.try_emplace(word.get<std::string>(), kind);
+  } catch (const json::exception& error) {
+    return fail(Outcome::kInvalidRequest, name + ": " + error.what());
+  }
+  return {};
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,186 @@
+// What follows the head: "of coffee", "in the sink", "that is on the table", "full of water".
+#include <algorithm>
+
+#include "components/goalnet/language/noun_phrase.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+std::size_t NounPhraseReader::of(std::size_t i, std::size_t end, NounPhrase& phrase) const {
+  NounPhrase inner;
+  const std::size_t done = read(i + 1, end, inner);
+  if (done == i + 1) return i;
+  if (inner.unknown) {  // "a cup of tea"
+    phrase.unknown = true, phrase.word = inner.word;
+  } else if (language_.content(inner.phrase) != symbol::kNone && language_.holds_things(phrase.phrase)) {
+    phrase.content = inner.phrase;
+    for (const std::string& adjective : inner.adjectives) phrase.adjectives.push_back(adjective);
+  } else if (language_.holds_things(phrase.phrase)) {
+    phrase.unknown = inner.phrase.empty(), phrase.modifier = inner.phrase;
+  } else if (language_.side_or_part(phrase.phrase)) {
+    if (phrase.phrase == "knob") inner.adjectives.push_back("knob");
+    inner.adjectives.insert(inner.adjectives.end(), phrase.adjectives.begin(), phrase.adjectives.end());
+    if (inner.ordinal == 0) inner.ordinal = phrase.ordinal;
+    inner.role = phrase.role, inner.where = phrase.where, inner.all = inner.all || phrase.all;
+    if (inner.count == 0) inner.count = phrase.count;
+    inner.plural = inner.plural || phrase.plural;
+    phrase = inner;  // "the door of the fridge": the fridge, as opened
+  } else if (!inner.phrase.empty()) {
+    const bool carrier = phrase.phrase == "can" || phrase.phrase == "bottle";
+    if (carrier) {  // "a can of coke"
+      inner.count = phrase.count, inner.role = phrase.role, inner.where = phrase.where;
+      phrase = inner;
+    } else {
+      phrase.modifier = inner.phrase;
+    }
+  }
+  return done;
+}
+
+std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhrase& phrase) const {
+  std::size_t k = i;
+  while (k < end && one_of(words_.text[k], kLying)) ++k;
+  if (k + 1 < end && (words_.text[k] == "you" || words_.text[k] == "i") &&
+      (words_.text[k + 1] == "are" || words_.text[k + 1] == "am" || words_.text[k + 1] == "have" ||
+       language_.verb(words_.text[k + 1]) == Frame::kTake)) {
+    ++k;
+    while (k < end && (words_.text[k] == "are" || words_.text[k] == "am" || words_.text[k] == "have" ||
+                       words_.text[k] == "currently" || words_.text[k] == "just" ||
+                       language_.verb(words_.text[k]) == Frame::kTake || words_.text[k] == "up"))
+      ++k;
+    if (k < end && (words_.text[k] == "in" || words_.text[k] == "with")) {  // "have in your hand"
+      NounPhrase hand;
+      const std::size_t done = read(k + 1, end, hand);
+      if (hand.hand) k = done;
+    }
+    phrase.adjectives.push_back("held");
+    return k;
+  }
+  NounPhrase place;
+  if (const std::size_t done = read_place(k, end, place); done != k) {
+    if (place.hand || place.person)
+      phrase.adjectives.push_back("held");
+    else
+      phrase.at.push_back(place);
+    return done;
+  }
+  if (k < end && one_of(words_.text[k], kStates) && k > i) {
+    phrase.adjectives.push_back(words_.text[k]);
+    return k + 1;
+  }
+  return i;
+}
+
+std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& phrase) const {
+  for (int round = 0; round < 4 && i < end; ++round) {
+    const std::string& word = words_.text[i];
+    if (word == "of" && !phrase.phrase.empty()) {
+      const std::size_t done = of(i, end, phrase);
+      if (done == i) return i;
+      i = done;
+      continue;
+    }
+    if ((word == "that" || word == "which" || word == "who" || word == "where") && i + 1 < end) {
+      std::size_t k = i + 1;
+      // "the burner that the kettle is on", "the shelf where the beer is"
+      if (NounPhrase there; names_[k] > 0 || one_of(words_.text[k], kArticles)) {
+        const std::size_t done = read(k, end, there);
+        if (done < end &&
+            (words_.text[done] == "is" || words_.text[done] == "are" || words_.text[done] == "stand" ||
+             words_.text[done] == "lie" || words_.text[done] == "sit")) {
+          there.where = Where::kUnder;
+          phrase.at.push_back(there);
+          i = done + 1;
+          if (i < end && (words_.text[i] == "on" || words_.text[i] == "in" || words_.text[i] == "at")) ++i;
+          continue;
+        }
+      }
+      if (word == "where") return i;
+      // "the mug that has coffee in it"
+      if (words_.text[k] == "has" || words_.text[k] == "have" || words_.text[k] == "hold" ||
+          words_.text[k] == "contain") {
+        NounPhrase inner;
+        const std::size_t done = read(k + 1, end, inner);
+        if (done != k + 1 && language_.content(inner.phrase) != symbol::kNone) {
+          phrase.content = inner.phrase;
+          i = done;
+          if (i + 1 < end && (words_.text[i] == "in" || words_.text[i] == "inside"))
+            i += words_.text[i + 1] == "it" ? 2 : 1;
+          continue;
+        }
+      }
+      const std::size_t done = relative(k, end, phrase);
+      if (done == k) return i;
+      i = done;
+      continue;
+    }
+    if (phrase.everything && (word == "is" || word == "are")) {  // "whatever is on the stove"
+      const std::size_t done = relative(i, end, phrase);
+      if (done == i) return i;
+      i = done;
+      continue;
+    }
+    if (((word == "you" || word == "i") && i + 1 < end &&
+         (words_.text[i + 1] == "are" || words_.text[i + 1] == "am" || words_.text[i + 1] == "have" ||
+          language_.verb(words_.text[i + 1]) == Frame::kTake)) ||
+        word == "lying" || word == "sitting" || word == "standing" || word == "currently" ||
+        word == "laying") {
+      const std::size_t done = relative(i, end, phrase);
+      if (done == i) return i;
+      i = done;
+      continue;
+    }
+    // "full of coffee", "containing water", "with the coffee in it"
+    const bool filled = word == "containing" || (word == "full" && i + 1 < end && words_.text[i + 1] == "of");
+    if (filled || word == "with") {
+      NounPhrase inner;
+      const std::size_t from = word == "full" ? i + 2 : i + 1;
+      const std::size_t done = read(from, end, inner);
+      const bool in_it = done + 1 < end + 1 && done < end &&
+                         (words_.text[done] == "in" || words_.text[done] == "inside") &&
+                         (done + 1 == end || words_.text[done + 1] == "it" ||
+                          words_.text[done + 1] == "them" || words_.text[done] == "inside");
+      if (done != from && language_.content(inner.phrase) != symbol::kNone && (filled || in_it)) {
+        phrase.content = inner.phrase;
+        i = in_it ? std::min(done + (words_.text[done] == "inside" &&
+                                             !(done + 1 < end && words_.text[done + 1] == "it")
+                                         ? 1
+                                         : 2),
+                             end)
+                  : done;
+        continue;
+      }
+      return i;
+    }
+    // "closest to the sink", "next to the tv" (rewritten to "beside")
+    if ((word == "nearest" || word == "beside" || word == "near") && !phrase.bare()) {
+      std::size_t k = i + 1;
+      if (k < end && words_.text[k] == "to") ++k;
+      NounPhrase place;
+      const std::size_t done = read(k, end, place);
+      if (done == k || word == "beside" || word == "near") return i;
+      if (place.person) {
+        phrase.adjectives.push_back("nearest");
+      } else {
+        place.where = Where::kNear;
+        phrase.at.push_back(place);
+      }
+      i = done;
+      continue;
+    }
+    // "the door on the left"
+    if ((word == "on" || word == "to") && i + 2 < end + 0 && words_.text[i + 1] == "the" &&
+        (words_.text[i + 2] == "left" || words_.text[i + 2] == "right") && names_[i + 2] == 0) {
+      phrase.adjectives.push_back(words_.text[i + 2]);
+      i += 3;
+      if (i < end && (words_.text[i] == "side" || words_.text[i] == "hand")) ++i;
+      continue;
+    }
+    return i;
+  }
+  return i;
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,66 @@
+// Closed groups of English words that the grammar itself knows.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace goalnet::inference {
+
+template <std::size_t N>
+bool one_of(const std::string& word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+namespace word_group {
+
+using std::string_view_literals::operator""sv;
+
+// Determiners, pronouns, words for people and things.
+
+inline constexpr std::array kArticles = {"the"sv, "a"sv,   "an"sv,  "my"sv,    "your"sv,   "our"sv,
+                                         "his"sv, "her"sv, "its"sv, "their"sv, "another"sv};
+inline constexpr std::array kPointers = {"this"sv, "that"sv, "these"sv, "those"sv};
+inline constexpr std::array kPronouns = {"it"sv, "them"sv, "they"sv};
+inline constexpr std::array kPersons = {"me"sv,     "us"sv,       "you"sv,      "him"sv,
+                                        "myself"sv, "everyone"sv, "everybody"sv};
+inline constexpr std::array kAll = {"all"sv, "every"sv, "each"sv};
+inline constexpr std::array kThings = {"everything"sv, "stuff"sv,    "thing"sv,  "anything"sv,
+                                       "something"sv,  "whatever"sv, "object"sv, "item"sv};
+inline constexpr std::array kMeasures = {
+    "bit"sv,    "pinch"sv, "splash"sv, "drop"sv,   "lot"sv,  "little"sv, "piece"sv,
+    "dash"sv,   "cube"sv,  "slice"sv,  "dollop"sv, "kind"sv, "plenty"sv, "handful"sv,
+    "packet"sv, "tub"sv,   "carton"sv, "squirt"sv, "sip"sv,  "amount"sv, "pair"sv};
+// Words for many things at once.
+inline constexpr std::array kCollective = {"cutlery"sv,   "silverware"sv, "flatware"sv,  "glassware"sv,
+                                           "tableware"sv, "crockery"sv,   "drinkware"sv, "furniture"sv};
+inline constexpr std::array kStates = {
+    "empty"sv, "full"sv,    "hot"sv,   "cold"sv,      "warm"sv, "open"sv,     "closed"sv,
+    "left"sv,  "right"sv,   "other"sv, "nearest"sv,   "near"sv, "farthest"sv, "dirty"sv,
+    "clean"sv, "wet"sv,     "dry"sv,   "different"sv, "lit"sv,  "free"sv,     "same"sv,
+    "held"sv,  "boiling"sv, "last"sv,  "previous"sv,  "next"sv};
+// Adjectives that nothing in a world of facts can tell; kept in mind as such.
+inline constexpr std::array kVague = {
+    "big"sv,       "small"sv,    "little"sv, "large"sv,  "new"sv,   "old"sv,    "red"sv,
+    "blue"sv,      "green"sv,    "white"sv,  "brown"sv,  "black"sv, "yellow"sv, "pink"sv,
+    "nice"sv,      "soft"sv,     "lovely"sv, "entire"sv, "whole"sv, "single"sv, "own"sv,
+    "favourite"sv, "favorite"sv, "round"sv,  "shiny"sv,  "usual"sv, "only"sv,   "fresh"sv};
+// "the cup that is still standing in the sink"
+inline constexpr std::array kLying = {
+    "lying"sv,     "standing"sv, "sitting"sv, "placed"sv, "kept"sv,    "located"sv, "resting"sv, "left"sv,
+    "currently"sv, "still"sv,    "now"sv,     "lie"sv,    "sit"sv,     "stand"sv,   "right"sv,   "is"sv,
+    "are"sv,       "was"sv,      "were"sv,    "all"sv,    "already"sv, "laying"sv};
+
+// Behind verbs; before clauses that hang on others.
+inline constexpr std::array kParticles = {"on"sv,      "off"sv,   "up"sv,    "down"sv,    "out"sv,
+                                          "away"sv,    "over"sv,  "in"sv,    "back"sv,    "around"sv,
+                                          "through"sv, "aside"sv, "along"sv, "together"sv};
+inline constexpr std::array kDeterminers = {"the"sv, "a"sv, "an"sv, "my"sv, "some"sv, "your"sv};
+inline constexpr std::array kSubordinate = {"if"sv,     "unless"sv,    "when"sv,    "once"sv,     "after"sv,
+                                            "before"sv, "while"sv,     "until"sv,   "because"sv,  "since"sv,
+                                            "so"sv,     "where"sv,     "without"sv, "whenever"sv, "as"sv,
+                                            "till"sv,   "otherwise"sv, "though"sv,  "although"sv};
+
+}  // namespace word_group
+}  // namespace goalnet::inference
