@@ -175,6 +175,12 @@ NameLevel Lexicon::names(const std::string& phrase, Symbol object, ClassId objec
   return NameLevel::kNone;
 }
 
+bool Lexicon::is_place_name(const std::string& phrase) const {
+  const auto it = phrases_.find(phrase);
+  return it != phrases_.end() && std::any_of(it->second.exact.begin(), it->second.exact.end(),
+                                             [&](ClassId id) { return classes_[id].place; });
+}
+
 bool Lexicon::is_name_of(const std::string& phrase, std::string_view class_name) const {
   const auto id = class_by_name_.find(std::string(class_name));
   const auto it = phrases_.find(phrase);

@@ -53,6 +53,8 @@ class Lexicon {
   bool is_name(const std::string& phrase) const { return phrases_.contains(phrase); }
   // Whether the phrase is a name of that class, not only a word for many kinds of things.
   bool is_name_of(const std::string& phrase, std::string_view class_name) const;
+  // Whether the phrase is a name of places where things stand, as "shelf".
+  bool is_place_name(const std::string& phrase) const;
   bool is_word_of_name(const std::string& word) const { return words_.contains(word); }
   const std::unordered_map<std::string, int>& words() const { return words_; }
 

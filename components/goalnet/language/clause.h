@@ -27,6 +27,8 @@ struct Clause {
   bool to_person = false;  // "bring me", "to the guest", "here"
   bool wish = false;       // "I want a coke"
   bool negative = false;   // of a statement: "is not on"
+  bool asked = false;      // of a statement: "..., do something about it"
+  bool weak = false;       // "I want to read": asks for something only where nothing else does
   // "if the tap is on, ...": the statement that must hold; empty: no condition.
   std::vector<Clause> condition;
 

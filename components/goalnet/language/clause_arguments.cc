@@ -107,6 +107,11 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     if (from < end && place_preposition(words_[from], &inner) && words_[from] != "to")
       ++from;  // "from inside the fridge"
     const std::size_t done = reader_.read(from, end, phrase, true);
+    if (done == from && from < end && words_[from] == "there") {
+      phrase.role = role, phrase.pronoun = true, phrase.word = "there";
+      clause.phrases.push_back(std::move(phrase));
+      return from + 1;
+    }
     if (done == from) return i + 1;
     phrase.role = role, phrase.where = inner;
     if (phrase.hand || phrase.person) return done;
@@ -130,6 +135,9 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     if (!phrase.hand && !phrase.person) clause.phrases.push_back(std::move(phrase));
     return done;
   }
+  if ((word == "a" || word == "one") && i + 1 < end && language_.time_unit(words_[i + 1]) &&
+      reader_.name_length(i + 1) == 0)
+    return i + 2;       // "hold it for me a moment"
   if (word == "for") {  // for me; for two minutes; for the guests
     NounPhrase phrase;
     std::size_t done = reader_.read(i + 1, end, phrase);

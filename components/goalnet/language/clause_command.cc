@@ -33,6 +33,15 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         !(reader_.name_length(k) > 0 && words_[k - 1] == "to"))
       return command(k, end, mood);
   }
+  // "nothing good on channel three, try four"
+  if (clause.frame == Frame::kTry && i < end && number_word(words_[i]) > 0 &&
+      std::find(words_.begin(), words_.end(), "channel") != words_.end()) {
+    NounPhrase channel;
+    channel.phrase = channel.word = "channel", channel.number = number_word(words_[i]);
+    clause.frame = Frame::kChange, clause.verb = "change";
+    clause.phrases.push_back(std::move(channel));
+    ++i;
+  }
   while (i < end) {
     const std::string& word = words_[i];
     if (language_.joins(word)) {
@@ -47,6 +56,9 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       const std::size_t done = reader_.read(next, end, phrase);
       if (done != next && !clause.phrases.empty()) {
         const std::size_t after = skip_joins(done, end);
+        const bool subject =
+            one_of(words_[next], kSubjects) || one_of(words_[next], kArticles) || phrase.person;
+        if (subject && tells(next, part_end(next, end)) && !reader_.starts(done, end)) break;
         const bool statement_follows = done < end && (language_.copula(words_[done]) || phrase.person);
         if (statement_follows && after == done) break;
         for (std::size_t k = i; k < next; ++k) phrase.alternative = phrase.alternative || words_[k] == "or";
@@ -105,7 +117,9 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
     }
-    if (one_of(word, kSubordinate) || word == "not" || word == "never" || word == "wish") break;
+    if (one_of(word, kSubordinate) || one_of(word, kTurns) || word == "not" || word == "never" ||
+        word == "wish")
+      break;
     if (word == "except" || (word == "other" && i + 1 < end && words_[i + 1] == "than")) {
       NounPhrase phrase;
       std::size_t k = i + 1;

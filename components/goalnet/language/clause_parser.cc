@@ -39,7 +39,7 @@ bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
 
 bool ClauseParser::starts_clause(std::size_t at, std::size_t end) const {
   if (at >= end) return false;
-  if (words_[at] == "not" || words_[at] == "never" || words_[at] == "wish" ||
+  if (words_[at] == "not" || words_[at] == "never" || words_[at] == "wish" || one_of(words_[at], kTurns) ||
       one_of(words_[at], kSubordinate))
     return true;
   return opens_command(at, end);
@@ -113,6 +113,26 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       const std::size_t done = reader_.read(verb, end, phrase);
       if (done != verb) return done;
     }
+    if (NounPhrase left_out; words_[at + 1 < end ? at + 1 : at] != "wish") {  // "forget the fork"
+      const std::size_t done = reader_.read(at + 1, end, left_out);
+      if (done != at + 1 && ends_here(done, end)) {
+        add_told(at + 1, done);
+        return done;
+      }
+    }
+    if (verb < end && words_[verb] == "wish") {  // "I do not want this coffee any more"
+      const std::size_t done = command(verb, end, Mood::kForbidden);
+      if (result_.clauses.back().mood == Mood::kForbidden) {
+        result_.clauses.back().mood = Mood::kStatement;
+        result_.clauses.back().negative = true;
+      }
+      return done;
+    }
+    // "do not worry", "never mind the mess": what cannot be done is not done
+    if (verb < end && language_.english_verb(words_[verb])) {
+      add_told(at, part_end(at, end));
+      return part_end(at, end);
+    }
     if (result_.problem.empty()) result_.problem = "it is not clear what \"" + word + "\" rules out";
     return at + 1;
   }
@@ -145,8 +165,51 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       return command(next, end, Mood::kCommand);
     }
   }
+  if (word == "do_that") {  // "the tap is running, do something about it"
+    if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement)
+      result_.clauses.back().asked = true;
+    else if (result_.problem.empty())
+      result_.problem = "it is not clear what should be done";
+    return at + 1;
+  }
+  if (word == "hint") {  // "I cannot find the remote"
+    Clause clause;
+    clause.mood = Mood::kStatement, clause.frame = Frame::kTake, clause.verb = "bring", clause.wish = true;
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(at + 1, end, phrase);
+    if (done == at + 1) return at + 1;
+    clause.phrases.push_back(std::move(phrase));
+    add(std::move(clause));
+    return done;
+  }
+  if (word == "correction") return correction(at, end);
+  if (word == "wish_to") {  // "I want to lie down, take everything off the couch"
+    const std::size_t next = skip_joins(at + 1, end);
+    const std::size_t count = result_.clauses.size();
+    if (opens_command(next, end)) {
+      const std::size_t done = command(next, end, Mood::kCommand);
+      for (std::size_t i = count; i < result_.clauses.size(); ++i) result_.clauses[i].weak = true;
+      return done;
+    }
+    add_told(at, part_end(at, end));
+    return part_end(at, end);
+  }
   if (word == "wish" || (word == "have" && reader_.starts(at + 1, end)))
     return command(at, end, Mood::kCommand);
+  if (language_.asks(word) && at + 1 < end && words_[at + 1] == "not" && !opens_command(at + 2, end)) {
+    add_told(at, part_end(at, end));  // "does not matter which"
+    return part_end(at, end);
+  }
+  // "I can never get this open": what somebody cannot do may be wanted
+  if (word == "i" && at + 3 < end && words_[at + 1] == "can" && words_[at + 2] == "not" &&
+      opens_command(at + 3, end)) {
+    const std::size_t done = command(at + 3, end, Mood::kStatement);
+    Clause& clause = result_.clauses.back();
+    clause.wish = true;
+    if (const Frame wanted = language_.wanted_by_state(clause.state); wanted != Frame::kNone)
+      clause.frame = wanted, clause.verb = clause.state;
+    return done;
+  }
   if (language_.asks(word) && at + 1 < end && language_.copula(words_[at + 1])) return question(at, end);
   if (one_of(word, kSubordinate) && !(word == "so" && opens_command(skip_joins(at + 1, end), end)))
     return subordinate(at, end);
@@ -163,6 +226,9 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       return next;
     }
   }
+  if (const std::size_t stop = topic(at, end); stop != at) return stop;
+  if (const std::size_t stop = exclamation(at, end); stop != at) return stop;
+  if (const std::size_t stop = told(at, end); stop != at) return stop;
   return statement(at, end);
 }
 

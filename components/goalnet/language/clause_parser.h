@@ -27,6 +27,17 @@ class ClauseParser {
   std::size_t fragment(std::size_t at, std::size_t end);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
+  // Parts that ask for nothing: "my back is killing me", "bedtime, kids". They return `at` where it is none.
+  std::size_t told(std::size_t at, std::size_t end);
+  // "no wait, the fork": mends the command before it.
+  std::size_t correction(std::size_t at, std::size_t end);
+  // "the fork, bring it to me": what "it" will mean.
+  std::size_t topic(std::size_t at, std::size_t end);
+  bool ends_here(std::size_t at, std::size_t end) const;  // only small words up to the end of the part
+  void add_told(std::size_t at, std::size_t stop);
+  std::size_t exclamation(std::size_t at, std::size_t end) const;
+  std::size_t part_end(std::size_t at, std::size_t end) const;
+  bool tells(std::size_t at, std::size_t stop) const;
   std::size_t skip_part(std::size_t at, std::size_t end) const;  // to the next comma or the end
 
   bool opens_command(std::size_t at, std::size_t end) const;

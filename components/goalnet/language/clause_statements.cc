@@ -26,6 +26,22 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     ++i;
     for (; i < end && language_.copula(words_[i]); ++i) desired = desired || one_of(words_[i], kDesire);
   }
+  if (words_[at] == "nothing" || words_[at] == "no") {  // "nothing should be standing on the stove"
+    std::size_t k = at + 1;
+    bool wanted = false;
+    for (; k < end && !language_.joins(words_[k]); ++k) {
+      wanted = wanted || one_of(words_[k], kDesire);
+      NounPhrase place;
+      const std::size_t done = wanted ? reader_.read_place(k, end, place) : k;
+      if (done == k) continue;
+      Clause clause;
+      clause.frame = Frame::kClear, clause.verb = "clear";
+      clause.phrases.push_back(std::move(place));
+      clause.phrases.back().role = Role::kSource;
+      add(std::move(clause));
+      return done;
+    }
+  }
   if (one_of(words_[i < end ? i : at], kSpeakers) || language_.wish(words_[i < end ? i : at]) != nullptr) {
     // "I am thirsty", "you left the tap on", "somebody spilled the coffee"
     const std::size_t stop = skip_part(i, end);
@@ -186,6 +202,21 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         continue;
       }
     }
+    // "every armchair should have a pillow on it", "every cup needs a spoon in it"
+    if (NounPhrase thing;
+        desired && !negative && clause.mood == Mood::kStatement && !clause.phrases.empty()) {
+      const std::size_t done = reader_.read(i, end, thing);
+      NounPhrase on_it;
+      const std::size_t after = done == i ? i : reader_.read_place(done, end, on_it);
+      if (done != i && after != done && on_it.pronoun && !thing.pronoun && !thing.person && !thing.unknown) {
+        NounPhrase holder = clause.phrases.front();
+        holder.role = Role::kDestination, holder.where = on_it.where;
+        clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
+        clause.phrases = {thing, holder};
+        i = after;
+        continue;
+      }
+    }
     // a new command without a join: "i cannot see it turn on the tv"
     if (opens_command(i, end) && i > at) return i;
     ++i;
@@ -214,7 +245,7 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     std::size_t k = from;
     for (; k < end && !language_.joins(words_[k]); ++k) {
       if (!harmless(k)) return false;
-      polite = polite || words_[k] == "please";
+      polite = polite || words_[k] == "please" || words_[k] == "me" || words_[k] == "us";
     }
     if (k + 1 < end && words_[k] == "," && words_[k + 1] == "please") polite = true;
     return true;
@@ -230,6 +261,22 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     clause.words.push_back(words_[i]);
     add(std::move(clause));
     return i + 1;
+  }
+  // "water in": into what was spoken of
+  if (i < end && (words_[i] == "in" || words_[i] == "into") &&
+      (i + 1 >= end || language_.joins(words_[i + 1]))) {
+    clause.frame = Frame::kPlace, clause.verb = "put";
+    clause.particles = {"in"};
+    add(std::move(clause));
+    return i + 1;
+  }
+  // "coke in there too"
+  if (i + 1 < end && words_[i + 1] == "there" && place_preposition(words_[i], &place.where)) {
+    clause.frame = Frame::kPlace, clause.verb = "put";
+    place.role = Role::kDestination, place.pronoun = true, place.word = "there";
+    clause.phrases.push_back(place);
+    add(std::move(clause));
+    return i + 2;
   }
   if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
     clause.frame = Frame::kPlace, clause.verb = "put";
@@ -267,6 +314,17 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   if (only_harmless_from(i) && polite) {
     clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = true;
     add(std::move(clause));
+    return i;
+  }
+  // "... And a pillow.", "the other plate too": what was asked before is asked of this as well
+  if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kCommand && ends_here(i, end)) {
+    Clause again = result_.clauses.back();
+    std::erase_if(again.phrases, [](const NounPhrase& phrase) {
+      return phrase.role == Role::kDirect || phrase.role == Role::kSource;
+    });
+    for (NounPhrase& phrase : clause.phrases) again.phrases.push_back(std::move(phrase));
+    add(std::move(again));
+    while (i < end && words_[i] != ",") ++i;
     return i;
   }
   result_.stray.push_back(words_[at]);

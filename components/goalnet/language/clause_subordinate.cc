@@ -43,7 +43,12 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
     while (verb < end && !opens_command(verb, end) &&
            (harmless(verb) || words_[verb] == "you" || words_[verb] == "have"))
       ++verb;
-    if (verb < end && opens_command(verb, end)) {
+    // "before it melts", "after dinner": says when, asks for nothing
+    const bool finite =
+        at + 1 < end && words_[at + 1] != "you" &&
+        (one_of(words_[at + 1], kSubjects) || !language_.participle(words_[verb < end ? verb : at]));
+    const bool asks_for_it = verb < end && opens_command(verb, end) && !(finite && verb > at + 1);
+    if (asks_for_it) {
       const bool leading =
           count == 0 || at == 0 || words_[at - 1] == "." || words_[at - 1] == "," || words_[at - 1] == "then";
       if (word == "before" && leading) {
@@ -54,6 +59,7 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
       if (word != "before" && !leading) insert_before_ = count - 1;  // "A after B": B first
       return command(verb, end, Mood::kCommand);
     }
+    if (word == "before" || word == "after") return verb >= end ? verb : part_end(at, end);
     if (verb >= end || words_[verb] == ",") return verb;  // "and after that, ..."
     // "once the mug is full, ...", "when it is done": what was asked before is done by then
     return skip_part(at, end);

@@ -62,6 +62,11 @@ class FrameActions {
   Problem go(const Clause& clause);
   Problem take(const Clause& clause);
   Problem put(const Clause& clause);
+  Problem put_without_place(const Clause& clause);
+  Problem stack(const Objects& objects);
+  Symbol home_of(Symbol object) const;  // kNone: it has none here
+  bool is_home(Symbol object, Symbol place) const;
+  static NounPhrase it();
   Problem put_at(const Clause& clause, const Objects& objects, const NounPhrase& destination);
   Problem discard(const Clause& clause);
   Problem release(const Clause& clause);
@@ -102,6 +107,7 @@ class FrameActions {
   std::vector<SymDelta> steps_;
   std::vector<Objects> history_;  // what "it" may mean, the newest last
   Objects last_destination_;      // what "there" means
+  Objects mass_;                  // "everything", newest: "it" means all of that
   mutable Problem missing_;       // the last that said so; see names_missing_thing()
   bool moves_ = false;            // "move", "carry": to another place than where it is
   Objects avoid_;                 // places: what stands there already is not what should be put there

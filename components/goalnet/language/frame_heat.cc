@@ -23,6 +23,15 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
   const NounPhrase* thing = clause.first(Role::kDirect);
   Objects objects;
   const bool named_vessel = thing != nullptr && !thing->content.empty();
+  if (named_vessel) {  // "cook me a bowl of ramen": nothing holds any yet
+    const Symbol dish = language_.content(thing->content);
+    if ((dish == kRamen || dish == kEgg) && vessel_with(dish) == kNone) {
+      Clause hot = clause;
+      for (NounPhrase& phrase : hot.phrases)
+        if (phrase.role == Role::kDirect) phrase.adjectives.push_back("hot");
+      return make(hot);
+    }
+  }
   if (content == kWater || (named_vessel && language_.content(thing->content) == kWater)) {
     // In what? What the sentence says, else what holds water, else the kettle.
     Symbol vessel = kNone;
@@ -44,6 +53,10 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
   } else {
     objects = direct(clause, Sort::kMovable, problem);
     if (!problem.empty()) return problem;
+    // what is in a vessel is heated with it
+    for (Symbol& object : objects)
+      if (const Symbol in = resolver_.place_of(object, now_); in != kNone && resolver_.is_vessel(in))
+        object = in;
   }
   for (const Symbol object : objects) {
     const ObjectClass* c = resolver_.class_of(object);

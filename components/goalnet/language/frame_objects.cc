@@ -34,13 +34,16 @@ FrameActions::Objects FrameActions::pronoun(const NounPhrase& phrase, Sort sort,
       if (!contains(found, object)) found.push_back(object);
     if (!found.empty() && (!phrase.plural || found.size() > 1)) break;
   }
+  if (found.empty()) found = fitting(last_destination_);
   if (found.empty()) {
     Objects held;
     for (const SymFact fact : now_.facts())
       if (relation_of(fact) == Relation::kGrasping) held.push_back(object_of(fact));
     found = fitting(held);
   }
-  if (!phrase.plural && found.size() > 1) found.erase(found.begin() + 1, found.end());
+  const bool mass =
+      std::all_of(found.begin(), found.end(), [&](Symbol object) { return contains(mass_, object); });
+  if (!phrase.plural && found.size() > 1 && !mass) found.erase(found.begin() + 1, found.end());
   if (phrase.count > 0 && found.size() > static_cast<std::size_t>(phrase.count))
     found.resize(static_cast<std::size_t>(phrase.count));
   return found;
@@ -54,6 +57,13 @@ FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort so
     if (source.role == Role::kSource && !source.pronoun && phrase.role == Role::kDirect)
       located.at.push_back(source);
   Objects options = resolver_.options(located, sort, now_);
+  for (const NounPhrase& source : clause.phrases)  // "the pillow from there"
+    if (source.role == Role::kSource && source.word == "there" && phrase.role == Role::kDirect) {
+      Objects from_there;
+      for (const Symbol object : options)
+        if (contains(last_destination_, resolver_.place_of(object, now_))) from_there.push_back(object);
+      if (!from_there.empty()) options = from_there;
+    }
   for (const NounPhrase& left_out : clause.phrases) {
     if (left_out.role != Role::kExcept) continue;
     NounPhrase these = left_out;
@@ -86,6 +96,8 @@ FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Prob
   Objects objects = role_objects(clause, Role::kDirect, sort, problem);
   if (objects.empty() && problem.empty()) problem = "it is not clear what to " + clause.verb;
   if (problem.empty()) remember(objects);
+  for (const NounPhrase& phrase : clause.phrases)
+    if (phrase.role == Role::kDirect && phrase.everything) mass_ = objects;
   return objects;
 }
 
@@ -175,6 +187,11 @@ void FrameActions::notice(const Clause& clause) {
     if (!phrase.everything && !phrase.plural && !phrase.all && objects.size() > 1)
       objects.erase(objects.begin() + 1, objects.end());
     if (!objects.empty()) history_.push_back(objects);
+    if (phrase.everything) mass_ = objects;
+    // "there is an armchair without a pillow, put one there"
+    if (!objects.empty() && resolver_.class_of(objects.front())->place &&
+        !resolver_.class_of(objects.front())->movable)
+      last_destination_ = {objects.front()};
   }
 }
 

@@ -33,6 +33,18 @@ std::string FrameActions::put(const Clause& said) {
     place.modifier.clear();
     clause.phrases.push_back(moved);
   }
+  // "put in a disc"
+  if (clause.phrases.size() == 1 && clause.first(Role::kDirect) == nullptr) {
+    NounPhrase& only = clause.phrases.front();
+    const auto moved = only.pronoun || only.bare() || only.where != Where::kIn
+                           ? Objects{}
+                           : resolver_.options(only, Sort::kMovable, now_);
+    if (!moved.empty() && !resolver_.class_of(moved.front())->place && !resolver_.is_vessel(moved.front())) {
+      only.role = Role::kDirect;
+      if (resolver_.is_of_class(moved.front(), "cd")) return insert(clause);
+      clause.particles.push_back("in");
+    }
+  }
   const NounPhrase* thing = clause.first(Role::kDirect);
   const NounPhrase* destination = nullptr;
   int places_said = 0;
@@ -52,48 +64,7 @@ std::string FrameActions::put(const Clause& said) {
     for (NounPhrase& phrase : clause.phrases)
       if (phrase.role == Role::kDestination && &phrase != destination) phrase.role = Role::kSource;
 
-  if (destination == nullptr) {
-    const bool on = clause.has_particle("on"), off = clause.has_particle("off");
-    if (on || off) {
-      if (thing != nullptr && !thing->pronoun && !resolver_.options(*thing, Sort::kDevice, now_).empty())
-        return turn(clause, on ? 1 : 0);
-      if (on && thing != nullptr &&
-          resolver_.is_of_class(
-              resolver_.named(*thing).empty() ? Symbol{kNone} : resolver_.named(*thing).front(), "kettle"))
-        return heat(clause, true);  // "put the kettle on"
-    }
-    if (clause.verb == "drop" || clause.has_particle("down")) return release(clause);
-    if (clause.frame == Frame::kBring || clause.to_person) return take(clause);
-    Problem problem;
-    const auto objects = direct(clause, Sort::kMovable, problem);
-    if (!problem.empty()) return problem;
-    if (clause.has_particle("back")) {
-      for (const Symbol object : objects) {
-        const Symbol place = resolver_.place_of(object, start_);
-        if (place == kNone) return "it is not known where " + resolver_.name(object) + " was";
-        if (problem = keep(object, place, start_.has(Relation::kIn, object, place) ? Where::kIn : Where::kOn);
-            !problem.empty())
-          return problem;
-      }
-      return {};
-    }
-    if (clause.has_particle("away") || clause.verb == "store" || clause.verb == "stow") {
-      for (const Symbol object : objects) {
-        const ObjectClass* c = resolver_.class_of(object);
-        const bool cold = c->food || c->drink;
-        Symbol home = kNone;
-        for (const SeenObject& place : resolver_.objects())
-          if (home == kNone &&
-              ((cold && place.symbol == kFridge) || resolver_.is_of_class(place.symbol, "shelf")))
-            home = place.symbol;
-        if (home == kNone) return "it is not clear where to put " + resolver_.name(object) + " away";
-        if (problem = keep(object, home, home == kFridge ? Where::kIn : Where::kOn); !problem.empty())
-          return problem;
-      }
-      return {};
-    }
-    return "it is not clear where to put " + resolver_.name(objects.front());
-  }
+  if (destination == nullptr) return put_without_place(clause);
   if (thing == nullptr)
     return clause.frame == Frame::kBring || clause.frame == Frame::kTake || clause.verb == "move"
                ? go(clause)

@@ -9,9 +9,17 @@ namespace goalnet::inference {
 using namespace symbol;
 
 std::string FrameActions::go(const Clause& clause) {
-  if (about_television(clause)) return television(clause);
+  if (clause.has("channel")) return television(clause);
+  // "stand the bowl on the plate"
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      thing != nullptr && clause.first(Role::kDestination) != nullptr && clause.verb != "go" &&
+      clause.verb != "walk" &&
+      (thing->pronoun ||
+       (!thing->bare() && !thing->everything && !resolver_.options(*thing, Sort::kMovable, now_).empty())))
+    return put(clause);
   const NounPhrase* phrase = clause.first(Role::kDestination);
   if (phrase == nullptr) phrase = clause.first(Role::kDirect);
+  if (phrase == nullptr && clause.verb == "wait") return {};  // "... and wait there"
   if (phrase == nullptr)
     return clause.to_person ? "it is not known where you are" : "it is not clear where to go";
   Objects options = phrase->pronoun ? pronoun(*phrase, Sort::kAny, {}) : Objects{};
@@ -51,13 +59,23 @@ std::string FrameActions::take(const Clause& clause) {
       return put(wanted);
     }
   }
+  // "the book, I would like it on the table"
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      clause.wish && thing != nullptr && thing->pronoun && clause.first(Role::kDestination) != nullptr) {
+    Clause wanted = clause;
+    wanted.frame = Frame::kPlace, wanted.to_person = false;
+    return put(wanted);
+  }
   // "I would like my coffee with vanilla syrup"
   if (const NounPhrase* with = clause.first(Role::kWith); with != nullptr && !with->pronoun && !with->bare())
     if (const NounPhrase* thing = clause.first(Role::kDirect);
         thing != nullptr && !thing->pronoun && !thing->bare()) {
       const auto vessels = resolver_.options(*thing, Sort::kVessel, now_);
       bool done = false;
-      if (!vessels.empty() && language_.content(with->phrase) != kNone)
+      const auto added = resolver_.options(*with, Sort::kMovable, now_);
+      const bool topping =
+          !added.empty() && (now_.has(Relation::kIsSqueezeable, added.front()) || added.front() == kSalt_1);
+      if (!vessels.empty() && (topping || language_.content(with->phrase) != kNone))
         if (const Problem problem = add_content(*with, vessels.front(), done); !problem.empty())
           return problem;
     }

@@ -36,8 +36,9 @@ std::string FrameActions::television(const Clause& clause) {
                     clause.has("back") || clause.has("last") || clause.has("before") ||
                     clause.frame == Frame::kLower;
   bool other_things = false;  // "mute the pillow"
-  int channel = 0;
+  int channel = 0, steps = 1;
   for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.phrase == "channel" && phrase.count > 0 && phrase.number == 0) steps = phrase.count;
     channel = std::max({channel, phrase.number, phrase.ordinal, phrase.pronoun ? phrase.count : 0});
     if (phrase.phrase.empty() || language_.tv_word(phrase.phrase)) continue;
     const auto named = resolver_.named(phrase);
@@ -60,7 +61,8 @@ std::string FrameActions::television(const Clause& clause) {
       if (now_.is(kTv_1, static_cast<Symbol>(kChannel1 + i - 1))) now = i;
     if (now == 0) return "it is not known which channel is on";
     if (channel > kChannels) return "there are only " + std::to_string(kChannels) + " channels";
-    const int target = channel > 0 ? channel : (now - 1 + (down ? kChannels - 1 : 1)) % kChannels + 1;
+    const int by = (steps % kChannels) * (down ? kChannels - 1 : 1);
+    const int target = channel > 0 ? channel : (now - 1 + by) % kChannels + 1;
     const bool up = (target - now + kChannels) % kChannels <= kChannels / 2;
     for (; now != target; now = (now - 1 + (up ? 1 : kChannels - 1)) % kChannels + 1)
       if (const Problem problem =

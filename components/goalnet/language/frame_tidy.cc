@@ -20,7 +20,12 @@ std::string FrameActions::discard(const Clause& clause) {
       if (phrase.role == Role::kDestination) phrase.role = Role::kSource;
     return discard(located);
   }
-  if (clause.to_person) return take(clause);  // "throw me the remote"
+  if (clause.to_person) return take(clause);                                  // "throw me the remote"
+  if (clause.has_particle("in") && clause.first(Role::kDirect) != nullptr) {  // "throw in an egg"
+    Clause added = clause;
+    added.frame = Frame::kAdd, added.verb = "add";
+    return add_to(added);
+  }
   const bool flung = clause.verb == "throw" || clause.verb == "toss" || clause.verb == "chuck";
   if (flung && !clause.has_particle("away") && !clause.has_particle("out"))
     return "it is not clear where to " + clause.verb + " that; say \"throw ... away\" for the bin";
@@ -113,6 +118,7 @@ std::string FrameActions::clear(const Clause& clause) {
 }
 
 std::string FrameActions::cool(const Clause& clause) {
+  if (clause.has_particle("under_tap") && resolver_.exists(kSink)) return wash(clause);
   if (!resolver_.exists(kFridge)) return not_here("there is no fridge here");
   Problem problem;
   const auto objects = direct(clause, Sort::kMovable, problem);

@@ -37,6 +37,14 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
   Understanding result;
   ParsedSentence sentence = parse_clauses(words, language_, lexicon_);
   const auto asks = [](const Clause& clause) { return clause.mood == Mood::kCommand; };
+  for (Clause& clause : sentence.clauses)
+    if (clause.mood == Mood::kStatement && clause.asked) {
+      if (!make_wish(clause, language_)) {
+        result.problems.push_back("it is not clear what should be done about that");
+        break;
+      }
+      clause.mood = Mood::kCommand;
+    }
   bool any_command = std::any_of(sentence.clauses.begin(), sentence.clauses.end(), asks);
   if (!any_command) {
     for (Clause& clause : sentence.clauses)
@@ -75,6 +83,14 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
     }
     ++result.clauses;
     if (const std::string problem = actions.add(clause); !problem.empty()) {
+      if (clause.weak &&
+          std::any_of(sentence.clauses.begin(), sentence.clauses.end(), [](const Clause& other) {
+            return other.mood == Mood::kCommand && !other.weak;
+          })) {  // "I want to sit down, clear the couch"
+        actions.notice(clause);
+        ++result.passed_over;
+        continue;
+      }
       result.problems.push_back(problem);
       missing += actions.names_missing_thing(problem);
     }

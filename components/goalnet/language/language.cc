@@ -15,6 +15,12 @@ constexpr int kMostRewrites = 1000;
 
 }  // namespace
 
+const std::vector<std::string>& Language::homes(const std::string& class_name) const {
+  static const std::vector<std::string> kNowhere;
+  const auto it = homes_.find(class_name);
+  return it == homes_.end() ? kNowhere : it->second;
+}
+
 std::string Language::kind_of(const std::string& word) const {
   for (const std::string& form : {word, singular(word)})
     if (const auto it = kinds_.find(form); it != kinds_.end()) return it->second;
@@ -39,6 +45,19 @@ std::string Language::verb_base(const std::string& word) const {
       return stem.substr(0, stem.size() - 1) + "y";
   }
   return {};
+}
+
+bool Language::english_verb(const std::string& word) const {
+  if (english_verbs_.contains(word) || verb(word) != Frame::kNone) return true;
+  for (const std::string_view ending : {"ing", "ed", "es", "s"}) {
+    if (!word.ends_with(ending) || word.size() < ending.size() + 2) continue;
+    std::string stem = word.substr(0, word.size() - ending.size());
+    if (english_verbs_.contains(stem) || english_verbs_.contains(stem + "e")) return true;
+    if (stem.size() > 2 && stem.back() == stem[stem.size() - 2]) stem.pop_back();
+    if (stem.ends_with("i")) stem.back() = 'y';
+    if (english_verbs_.contains(stem)) return true;
+  }
+  return false;
 }
 
 Frame Language::verb(const std::string& word) const {

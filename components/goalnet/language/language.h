@@ -89,6 +89,8 @@ class Language {
   bool copula(const std::string& word) const;  // is, has, looks, ...
   bool asks(const std::string& word) const { return questions_.contains(word); }
   bool time_unit(const std::string& word) const;
+  bool person(const std::string& word) const { return people_.contains(word); }  // "grandma", "kid"
+  bool english_verb(const std::string& word) const;    // any form of any common verb: "died", "wants"
   bool holds_things(const std::string& phrase) const;  // "cup", "plate": "a cup of coffee"
   bool side_or_part(const std::string& phrase) const;  // "door", "side": "the door of the fridge"
   bool tv_word(const std::string& phrase) const;       // channel, volume, sound
@@ -106,10 +108,15 @@ class Language {
   // missing, extra or two swapped; two such in words of eight letters or more); else the word itself. English
   // words that are merely unknown here are no typing errors.
   std::string correct(const std::string& word) const;
+  // Known words within a small typing error, the likeliest first, and words that sound alike ("of" for
+  // "off").
+  std::vector<std::string> corrections(const std::string& word) const;
   // The known word nearest in spelling, for "did you mean"; empty when nothing is near.
   std::string nearest(const std::string& word) const;
   // What to tell a person about a word that is not known, with the nearest known one where there is one.
   std::string unknown_word(const std::string& word) const;
+  // Classes of the places where things of a class belong, the best first; from config/language/english.json.
+  const std::vector<std::string>& homes(const std::string& class_name) const;
   // What kind of thing an English word names that no thing here has: "milk" -> "drink"; empty where unknown.
   std::string kind_of(const std::string& word) const;
   // Words that training saw in instructions: known, though no verb and no name.
@@ -122,17 +129,22 @@ class Language {
     std::vector<std::string> from, to;
   };
   void collect_vocabulary();
+  bool may_be_a_slip(const std::string& word) const;
+  std::vector<std::string> within_a_slip(const std::string& word) const;
   void add_degrees(const std::vector<std::string>& units);
 
   std::vector<std::string> vocabulary_;  // sorted; what typing errors are corrected to
   std::unordered_map<std::string, Frame> verbs_;
   std::unordered_map<std::string, std::string> inflected_;  // "taken" -> "take"
   std::unordered_map<std::string, Symbol> contents_;
-  std::unordered_set<std::string> fillers_, seen_, questions_, real_words_, no_adverbs_;
+  std::unordered_set<std::string> fillers_, seen_, questions_, real_words_, no_adverbs_, people_,
+      english_verbs_;
   std::unordered_map<std::string, StateWord> states_;
   std::unordered_map<std::string, std::vector<std::string>> wishes_;
   std::unordered_map<std::string, std::vector<Rewrite>> rewrites_;  // by first word, longest first
   std::unordered_map<std::string, std::string> synonyms_, kinds_;
+  std::unordered_map<std::string, std::vector<std::string>> homes_;
+  std::unordered_map<std::string, std::vector<std::string>> mistaken_;  // "of" -> "off"
   const Lexicon* lexicon_ = nullptr;
 };
 

@@ -149,7 +149,17 @@ Expected<void> Language::add_english(std::string_view text, const std::string& n
         return fail(Outcome::kInvalidRequest, name + ": 'rewrites' has an empty phrase");
       rewrites_[rewrite.from.front()].push_back(std::move(rewrite));
     }
-    degrees = file.value("degrees", degrees);  // older models have none
+    // Older models lack these.
+    degrees = file.value("degrees", degrees);
+    const json people = file.value("people", json::array()),
+               mistaken = file.value("mistaken", json::object());
+    for (const auto& word : people)
+      people_.insert(word.get<std::string>()), seen_.insert(word.get<std::string>());
+    const json homes = file.value("homes", json::object());
+    for (const auto& [name_of_class, places] : homes.items())
+      homes_[name_of_class] = places.get<std::vector<std::string>>();
+    for (const auto& [word, meant] : mistaken.items())
+      mistaken_[word] = meant.get<std::vector<std::string>>();
   } catch (const json::exception& error) {
     return fail(Outcome::kInvalidRequest, name + ": " + error.what());
   }
@@ -165,6 +175,8 @@ Expected<void> Language::add_other_words(std::string_view text, const std::strin
   try {
     const json file = json::parse(text);
     for (const auto& word : file.at("real_words")) real_words_.insert(word.get<std::string>());
+    const json verbs = file.value("verbs", json::array());  // older models lack it
+    for (const auto& word : verbs) english_verbs_.insert(word.get<std::string>());
     for (const auto& [word, other] : file.at("synonyms").items())
       if (!known(word) && known(other.get_ref<const std::string&>()))
         synonyms_[word] = other.get<std::string>();

@@ -28,6 +28,13 @@ NounPhraseReader::NounPhraseReader(const Words& words, const Language& language,
       phrase += (n == 1 ? "" : " ") + words.text[i + n - 1];
       if (lexicon_.is_name(phrase) || language_.content(phrase) != symbol::kNone) names_[i] = n;
     }
+    // "the one on the shelf can stay": no can of something
+    if (words.text[i] == "can" && names_[i] == 1 && i + 1 < names_.size() &&
+        (i == 0 || !one_of(words.text[i - 1], kArticles)) &&
+        (words.text[i + 1] == "not" || words.text[i + 1] == "be" ||
+         language_.english_verb(words.text[i + 1]) || language_.person(words.text[i + 1]) ||
+         one_of(words.text[i + 1], kPersons)))
+      names_[i] = 0;
   }
 }
 

@@ -85,6 +85,8 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
     if ((word == "that" || word == "which" || word == "who" || word == "where") && i + 1 < end) {
       std::size_t k = i + 1;
       // "the burner that the kettle is on", "the shelf where the beer is"
+      if (word == "where" && !lexicon_.is_place_name(phrase.phrase))
+        return i;  // "put the mug where the coke is"
       if (NounPhrase there; names_[k] > 0 || one_of(words_.text[k], kArticles)) {
         const std::size_t done = read(k, end, there);
         if (done < end &&
@@ -153,6 +155,16 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
         continue;
       }
       return i;
+    }
+    // "the armchair without a pillow"
+    if (word == "without" && lexicon_.is_place_name(phrase.phrase)) {
+      NounPhrase missing;
+      const std::size_t done = read(i + 1, end, missing);
+      if (done == i + 1) return i;
+      phrase.adjectives.push_back("free");
+      last_thing_ = missing.phrase;
+      i = done;
+      continue;
     }
     // "closest to the sink", "next to the tv" (rewritten to "beside")
     if ((word == "nearest" || word == "beside" || word == "near") && !phrase.bare()) {

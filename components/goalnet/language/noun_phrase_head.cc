@@ -39,10 +39,10 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     phrase.phrase = phrase.word = name(i);
     phrase.plural = words_.plural[i + names_[i] - 1] || one_of(words_.text[i + names_[i] - 1], kCollective);
     i += names_[i];
-    if (i < end && (words_.text[i] == "one") && !lexicon_.is_name(phrase.phrase + " one"))
+    if (i < end && words_.text[i] == "one" && determined && !lexicon_.is_name(phrase.phrase + " one"))
       ++i;  // "the vanilla one"
     if (i < end && words_.text[i] == "number" && i + 1 < end && number_word(words_.text[i + 1])) ++i;
-    if (i < end && phrase.count == 0 && !phrase.plural && words_.text[i] != "one" &&
+    if (i < end && phrase.count == 0 && !phrase.plural && (words_.text[i] != "one" || !determined) &&
         number_word(words_.text[i]) && !(i + 1 < end && names_[i + 1] > 0)) {
       phrase.number = number_word(words_.text[i]);
       ++i;
@@ -69,7 +69,7 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
       ++i, phrase.plural = true;
     return i + 1;
   }
-  if (one_of(word, kPersons)) {
+  if (one_of(word, kPersons) || language_.person(word)) {
     phrase.person = true;
     return i + 1;
   }
@@ -92,6 +92,10 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     return i + 1;
   }
   if (!determined) return i;
+  if (phrase.has("other") && phrase.count > 0 && !one().empty()) {  // "and the other two on the table"
+    phrase.phrase = phrase.word = one(), phrase.plural = phrase.count > 1;
+    return i;
+  }
   if (phrase.all || phrase.count > 0) {  // "put both in the sink", "take two"
     phrase.pronoun = phrase.plural = true, phrase.word = phrase.count == 2 ? "both" : "all";
     return i;

@@ -218,7 +218,9 @@ std::vector<Symbol> Resolver::options(const NounPhrase& phrase, Sort sort, const
     const NameLevel name_level = level(phrase, object.symbol, object.class_id, sort, now);
     if (name_level == NameLevel::kNone) continue;
     const ObjectClass& c = lexicon_.object_class(object.class_id);
-    if (sort == Sort::kPlace && !c.place && name_level == NameLevel::kGeneric && !is_vessel(object.symbol))
+    const bool side = object.symbol == kFridgeLeft || object.symbol == kFridgeRight;
+    if (sort == Sort::kPlace && !c.place && name_level == NameLevel::kGeneric && !is_vessel(object.symbol) &&
+        !side)
       continue;
     if (phrase.everything && sort == Sort::kMovable && c.place) continue;
     double order = distance(object.symbol);

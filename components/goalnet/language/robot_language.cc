@@ -10,6 +10,8 @@
 namespace goalnet::inference {
 namespace {
 
+constexpr int kMostSpellings = 12;  // other spellings that are tried of a sentence
+
 Expected<std::string> text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
@@ -74,6 +76,22 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   reading.instruction = see_instruction({}, nullptr, with_parts, *lexicon_, *language_, symbols_);
   const FrameReader reader(*lexicon_, *language_, symbols_);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
+  if (reading.understanding.complete) return reading;
+  // The likeliest spelling makes no sense: perhaps another one does.
+  int tries = 0;
+  for (std::size_t i = 0; i < tokens.size(); ++i)
+    for (const std::string& other : language_->corrections(tokens[i])) {
+      if (other == language_->correct(tokens[i])) continue;
+      if (++tries > kMostSpellings) return reading;
+      std::vector<std::string> spelled = tokens;
+      spelled[i] = other;
+      Words words = normal_words(spelled, *language_);
+      Understanding understanding = reader.read(words, reading.instruction, start, distances);
+      if (!understanding.complete) continue;
+      ++words.corrected;
+      reading.words = std::move(words), reading.understanding = std::move(understanding);
+      return reading;
+    }
   return reading;
 }
 

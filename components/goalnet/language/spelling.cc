@@ -6,6 +6,14 @@
 #include "components/goalnet/language/language.h"
 
 namespace goalnet::inference {
+namespace {
+
+bool same_letters(std::string a, std::string b) {
+  std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
+  return a == b;
+}
+
+}  // namespace
 
 int spelling_distance(std::string_view a, std::string_view b, int most) {
   constexpr std::size_t kLongest = 31;
@@ -24,39 +32,53 @@ int spelling_distance(std::string_view a, std::string_view b, int most) {
   return std::min(d[a.size()][b.size()], most + 1);
 }
 
-std::string Language::correct(const std::string& word) const {
-  if (known(word) || synonyms_.contains(word) || real_word(word) || real_word(singular(word)) ||
-      word.size() < 3)
-    return word;
+std::vector<std::string> Language::within_a_slip(const std::string& word) const {
   const std::string stem = singular(word);
   const int allowed = word.size() >= 8 ? 2 : 1;
-  int best = allowed + 1;
-  std::string choice;
+  std::vector<std::pair<int, std::string>> found;
   for (const std::string& candidate : vocabulary_) {
     if (candidate.size() < 3) continue;
     int distance =
         std::min(spelling_distance(word, candidate, allowed), spelling_distance(stem, candidate, allowed));
     // Three letters hold little: only swapped neighbours count as a slip there.
     if (word.size() == 3) {
-      std::string a = word, b = candidate;
-      std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
       const bool lost = !rewrites_.empty() && candidate.size() == 4 && candidate.front() == word.front() &&
                         meaningful(candidate);  // "grb", "fil"
-      if (a != b && !lost) distance = allowed + 1;
+      if (!same_letters(word, candidate) && !lost) distance = allowed + 1;
     }
     if (distance > allowed) continue;
     // People rarely miss the first letter; and words that name or do something matter most.
     // A letter swapped, lost or doubled is likelier than another letter.
-    const bool replaced = candidate.size() == word.size() && [&] {
-      std::string a = word, b = candidate;
-      std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
-      return a != b;
-    }();
-    const int cost = 8 * distance + (candidate.front() == word.front() ? 0 : 4) + (replaced ? 3 : 0) +
-                     (filler(candidate) ? 1 : 0);
-    if (choice.empty() || cost < best) best = cost, choice = candidate;
+    const bool replaced = candidate.size() == word.size() && !same_letters(word, candidate);
+    found.emplace_back(8 * distance + (candidate.front() == word.front() ? 0 : 4) + (replaced ? 3 : 0) +
+                           (filler(candidate) ? 1 : 0),
+                       candidate);
   }
-  return choice.empty() ? word : choice;
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> words;
+  for (auto& [cost, candidate] : found) words.push_back(std::move(candidate));
+  return words;
+}
+
+bool Language::may_be_a_slip(const std::string& word) const {
+  return word.size() >= 3 && !known(word) && !synonyms_.contains(word) && !real_word(word) &&
+         !real_word(singular(word));
+}
+
+std::string Language::correct(const std::string& word) const {
+  if (!may_be_a_slip(word)) return word;
+  const std::vector<std::string> choice = within_a_slip(word);
+  return choice.empty() ? word : choice.front();
+}
+
+std::vector<std::string> Language::corrections(const std::string& word) const {
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string> choice;
+  if (const auto it = mistaken_.find(word); it != mistaken_.end()) choice = it->second;
+  if (choice.empty() && may_be_a_slip(word)) choice = within_a_slip(word);
+  if (choice.size() > kMost) choice.resize(kMost);
+  return choice;
 }
 
 std::string Language::unknown_word(const std::string& word) const {

@@ -52,10 +52,19 @@ inline constexpr std::array kLying = {
     "currently"sv, "still"sv,    "now"sv,     "lie"sv,    "sit"sv,     "stand"sv,   "right"sv,   "is"sv,
     "are"sv,       "was"sv,      "were"sv,    "all"sv,    "already"sv, "laying"sv};
 
+// What sentences that only tell something begin with.
+inline constexpr std::array kSubjects = {"i"sv,        "we"sv,      "he"sv,       "she"sv,       "they"sv,
+                                         "it"sv,       "this"sv,    "that"sv,     "there"sv,     "nobody"sv,
+                                         "somebody"sv, "someone"sv, "everyone"sv, "everybody"sv, "nothing"sv,
+                                         "these"sv,    "those"sv,   "you"sv};
+
+// What rewriting leaves where a sentence takes a turn.
+inline constexpr std::array kTurns = {"correction"sv, "do_that"sv, "hint"sv, "wish_to"sv};
+
 // Behind verbs; before clauses that hang on others.
-inline constexpr std::array kParticles = {"on"sv,      "off"sv,   "up"sv,    "down"sv,    "out"sv,
-                                          "away"sv,    "over"sv,  "in"sv,    "back"sv,    "around"sv,
-                                          "through"sv, "aside"sv, "along"sv, "together"sv};
+inline constexpr std::array kParticles = {
+    "on"sv,   "off"sv,    "up"sv,      "down"sv,  "out"sv,   "away"sv,     "over"sv,    "in"sv,
+    "back"sv, "around"sv, "through"sv, "aside"sv, "along"sv, "together"sv, "at_home"sv, "under_tap"sv};
 inline constexpr std::array kDeterminers = {"the"sv, "a"sv, "an"sv, "my"sv, "some"sv, "your"sv};
 inline constexpr std::array kSubordinate = {"if"sv,     "unless"sv,    "when"sv,    "once"sv,     "after"sv,
                                             "before"sv, "while"sv,     "until"sv,   "because"sv,  "since"sv,

@@ -1,10 +1,18 @@
 #include "components/goalnet/language/words.h"
 
+#include <array>
+#include <string_view>
+
 #include "components/goalnet/language/language.h"
+#include "components/goalnet/language/noun_phrase.h"
+#include "components/goalnet/language/word_groups.h"
+#include "components/goalnet/lexicon.h"
 #include "components/goalnet/tokenizer.h"
 
 namespace goalnet::inference {
 namespace {
+
+using std::string_view_literals::operator""sv;
 
 constexpr std::size_t kMaxAfterRewriting = 2 * kMaxWords;  // rewriting may lengthen a sentence
 
@@ -45,6 +53,61 @@ void drop_numbering(std::vector<std::string>& tokens) {
     }
 }
 
+// "I would be very grateful", "could you maybe": ways of saying the same are found without these.
+void drop_intensifiers(std::vector<std::string>& text) {
+  static constexpr std::array kDropped = {"very"sv,       "really"sv,    "just"sv,       "maybe"sv,
+                                          "perhaps"sv,    "truly"sv,     "absolutely"sv, "totally"sv,
+                                          "definitely"sv, "ever"sv,      "so"sv,         "possibly"sv,
+                                          "honestly"sv,   "seriously"sv, "literally"sv};
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string& word = text[i];
+    // "so" joins clauses, unless it stresses: "so thirsty", "so kind"
+    const bool after_be = i > 0 && (text[i - 1] == "am" || text[i - 1] == "is" || text[i - 1] == "are");
+    const bool joins = word == "so" && (!after_be || (i + 1 < text.size() && text[i + 1] == "kind"));
+    if (!one_of(word, kDropped) || joins || text.size() == 1) kept.push_back(word);
+  }
+  text = std::move(kept);
+}
+
+// "burners 2 and 3" -> "burner 2 and burner 3"
+void repeat_numbered(std::vector<std::string>& text, const Language& language) {
+  const auto number = [&](std::size_t i) {
+    return i < text.size() && number_word(text[i]) > 0 && number_word(text[i]) <= 6 &&
+           !(i + 1 < text.size() && language.names_something(text[i + 1]));
+  };
+  for (std::size_t i = 0; i + 3 < text.size(); ++i) {
+    const std::string one = singular(text[i]);
+    if (one == text[i] || !language.names_something(one) || !number(i + 1)) continue;
+    std::size_t at = i + 2;
+    for (; at + 1 < text.size() && (text[at] == "and" || text[at] == ",") && number(at + 1); at += 3)
+      text.insert(text.begin() + static_cast<long>(at) + 1, one);
+    if (at > i + 2) text[i] = one;
+  }
+}
+
+// "my wife needs the salt", "the kids want noodles": who wants something speaks through somebody else.
+void speak_for_others(std::vector<std::string>& text, const Language& language) {
+  static constexpr std::array kWhose = {"my"sv,  "our"sv, "the"sv,   "your"sv,
+                                        "his"sv, "her"sv, "their"sv, "a"sv};
+  static constexpr std::array kWant = {"want"sv, "wants"sv, "need"sv, "needs"sv, "would"sv, "requires"sv};
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!language.person(singular(text[i]))) continue;
+    std::size_t next = i + 1;
+    while (next < text.size() && (text[next] == "here" || text[next] == "also")) ++next;
+    if (next >= text.size() || !one_of(text[next], kWant)) continue;
+    std::size_t from = i;
+    while (from > 0 && i - from < 2 &&
+           (one_of(text[from - 1], kWhose) || text[from - 1] == "little" || text[from - 1] == "old" ||
+            text[from - 1] == "dear"))
+      --from;
+    if (text[next].ends_with("s")) text[next].pop_back();
+    text[from] = "i";
+    text.erase(text.begin() + static_cast<long>(from) + 1, text.begin() + static_cast<long>(next));
+    i = from;
+  }
+}
+
 }  // namespace
 
 Words normal_words(const std::vector<std::string>& tokens, const Language& language) {
@@ -69,6 +132,9 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
       text.push_back(lost_s ? mended_token + "s" : mended_token);  // "pilows" are pillows
     }
   }
+  drop_intensifiers(text);
+  speak_for_others(text, language);
+  repeat_numbered(text, language);
   text = language.rewrite(std::move(text), kMaxAfterRewriting);
   for (std::string& word : text) {
     std::string stem = language.keeps_its_s(word) ? word : singular(word);

@@ -1,0 +1,75 @@
+// What is said beside the clause itself: corrections ("no wait, the fork") and topics ("the fork, bring it to
+// me").
+#include <algorithm>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+bool ClauseParser::ends_here(std::size_t at, std::size_t end) const {
+  for (; at < end && words_[at] != ","; ++at)
+    if (!harmless(at) && words_[at] != "correction" && words_[at] != "too") return false;
+  return true;
+}
+
+std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
+  std::size_t next = at;
+  while (next < end && (words_[next] == "correction" || language_.joins(words_[next]) ||
+                        (harmless(next) && !reader_.starts(next, end) && !place_preposition(words_[next]))))
+    ++next;
+  Clause* last = result_.clauses.empty() ? nullptr : &result_.clauses.back();
+  if (next >= end || last == nullptr || last->mood != Mood::kCommand) return std::max(next, at + 1);
+  if (opens_command(next, end) || words_[next] == "wish") {  // said anew
+    result_.clauses.pop_back();
+    return next;
+  }
+  NounPhrase phrase;
+  std::size_t done = reader_.read_place(next, end, phrase);
+  Role role = Role::kDestination;
+  if (done == next) {
+    done = reader_.read(next, end, phrase);
+    const bool place = lexicon_->is_place_name(phrase.phrase) && last->first(Role::kDestination) != nullptr;
+    role = place ? Role::kDestination : Role::kDirect;
+    if (place) phrase.where = last->first(Role::kDestination)->where;
+  }
+  if (done == next || !ends_here(done, end)) return next;
+  phrase.role = role;
+  std::erase_if(last->phrases, [&](const NounPhrase& old) { return old.role == role; });
+  last->phrases.push_back(std::move(phrase));
+  return done;
+}
+
+std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
+  NounPhrase phrase;
+  std::size_t done = reader_.read(at, end, phrase);
+  if (done == at || phrase.person || phrase.pronoun || phrase.unknown) return at;
+  const bool named_only = done < end && words_[done] == ",";
+  for (NounPhrase place; done < end; place = {}) {  // "the can on the stove, give it here"
+    const std::size_t after = reader_.read_place(done, end, place);
+    if (after == done) break;
+    phrase.at.push_back(place);
+    done = after;
+  }
+  // "spoon in the bowl, put it ...": that is a request of its own
+  const bool definite = one_of(words_[at], kArticles) || one_of(words_[at], kPointers) || phrase.everything;
+  if (done >= end || words_[done] != "," || !(definite || named_only)) return at;
+  // a command with "it", or "water in", follows
+  const std::size_t next = done + 1;
+  if (next < end && words_[next] != "wish" && !opens_command(skip_joins(next, end), end) && !named_only)
+    return at;
+  bool refers = false;
+  for (std::size_t i = next; i < end && words_[i] != ","; ++i)
+    refers = refers || words_[i] == "it" || words_[i] == "them" || words_[i] == "that" ||
+             ((words_[i] == "in" || words_[i] == "on") && (i + 1 >= end || words_[i + 1] == ","));
+  if (next >= end || !refers) return at;
+  Clause clause;
+  clause.mood = Mood::kStatement;
+  clause.phrases.push_back(std::move(phrase));
+  add(std::move(clause));
+  return done;
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,98 @@
+// Parts of a sentence that only tell something: "my back is killing me", "the kids left a mess on the couch",
+// "bedtime, kids!". Where the grammar cannot read them they are passed over, if something else is asked for.
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+namespace {
+
+constexpr std::size_t kLongestExclamation = 2;  // words
+constexpr std::size_t kLongestSubject = 5;
+
+}  // namespace
+
+// Where the part that begins at `at` ends: at a comma, or where "and", "so", "but" begin a command.
+std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
+  for (std::size_t i = at; i < end; ++i) {
+    const std::string& word = words_[i];
+    if (word == ",") return i;
+    if (i == at || (word != "and" && word != "so" && word != "but" && word != "then")) continue;
+    const std::size_t next = skip_joins(i + 1, end);
+    if (next < end && (opens_command(next, end) || words_[next] == "wish" || words_[next] == "not")) return i;
+  }
+  return end;
+}
+
+// Whether the words begin with a subject and go on with a verb, as no command does.
+bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
+  const std::string& first = words_[at];
+  if (one_of(first, kSubjects) || language_.wish(first) != nullptr) return stop > at + 1;
+  // the subject: "my back", "the kids", "guests", "half the family"
+  for (std::size_t i = at + 1; i < stop && i <= at + kLongestSubject; ++i) {
+    const std::string& word = words_[i];
+    if (language_.copula(word) || word == "not") return true;
+    const bool noun_before = !one_of(words_[i - 1], kDeterminers) && !one_of(words_[i - 1], kArticles) &&
+                             !place_preposition(words_[i - 1]);
+    if (noun_before && reader_.name_length(i) == 0 && language_.english_verb(word) &&
+        !place_preposition(word))
+      return true;
+  }
+  return false;
+}
+
+// Notes what the part speaks of, so that "it" and "there" may mean that.
+void ClauseParser::add_told(std::size_t at, std::size_t stop) {
+  Clause clause;
+  clause.mood = Mood::kStatement;
+  for (std::size_t i = at; i < stop;) {
+    NounPhrase phrase;
+    std::size_t done = reader_.read_place(i, stop, phrase);
+    const bool place = done != i;
+    if (!place) done = reader_.read(i, stop, phrase);
+    if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty()) {
+      phrase.role = place ? Role::kDestination : Role::kDirect;
+      clause.phrases.push_back(std::move(phrase));
+    }
+    i = std::max(done, i + 1);
+  }
+  add(std::move(clause));
+}
+
+std::size_t ClauseParser::told(std::size_t at, std::size_t end) {
+  const std::size_t stop = part_end(at, end);
+  if (!tells(at, stop)) return at;
+  // What can be read is read: "the mug should be in the sink" asks for something.
+  ClauseParser trial = *this;
+  trial.result_ = {};
+  trial.insert_before_ = SIZE_MAX;
+  std::size_t i = at;
+  while (i < stop) i = std::max(trial.statement(i, stop), i + 1);
+  bool read = trial.result_.stray.empty() && trial.result_.problem.empty() && !trial.result_.clauses.empty();
+  for (const Clause& clause : trial.result_.clauses) {
+    read = read && clause.unknown.empty();
+    for (const NounPhrase& phrase : clause.phrases) read = read && !phrase.unknown;
+  }
+  if (read) return at;
+  add_told(at, stop);
+  return stop;
+}
+
+// "movie night!", "bedtime, kids": one or two words on their own that name and do nothing here.
+std::size_t ClauseParser::exclamation(std::size_t at, std::size_t end) const {
+  if (at > 0 && words_[at - 1] != "," && words_[at - 1] != ".") return at;
+  std::size_t stop = at;
+  while (stop < end && words_[stop] != ",") ++stop;
+  if (stop == at || stop - at > kLongestExclamation) return at;
+  for (std::size_t i = at; i < stop; ++i)
+    if (reader_.starts(i, stop) || reader_.name_length(i) > 0 || language_.verb(words_[i]) != Frame::kNone ||
+        place_preposition(words_[i]) || language_.wish(words_[i]) != nullptr ||
+        language_.wanted_by_state(words_[i]) != Frame::kNone || language_.asks(words_[i]) ||
+        one_of(words_[i], kSubjects) || one_of(words_[i], kParticles))
+      return at;
+  return stop;
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,97 @@
+// Putting things where nobody says: away, back, where they belong, on top of each other.
+#include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/symbol_list.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+std::string FrameActions::put_without_place(const Clause& clause) {
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  const bool on = clause.has_particle("on"), off = clause.has_particle("off");
+  if (on || off) {
+    if (thing != nullptr && !thing->pronoun && !resolver_.options(*thing, Sort::kDevice, now_).empty())
+      return turn(clause, on ? 1 : 0);
+    if (on && thing != nullptr &&
+        resolver_.is_of_class(
+            resolver_.named(*thing).empty() ? Symbol{kNone} : resolver_.named(*thing).front(), "kettle"))
+      return heat(clause, true);  // "put the kettle on"
+  }
+  if (clause.has_particle("under_tap")) {  // "put the glass under the tap"
+    Problem problem;
+    const auto objects = direct(clause, Sort::kMovable, problem);
+    if (!problem.empty()) return problem;
+    if (!resolver_.exists(kSink)) return not_here("there is no tap here");
+    for (const Symbol object : objects)
+      if (problem = keep(object, kSink, Where::kOn); !problem.empty()) return problem;
+    return {};
+  }
+  // "water in": into what was spoken of last
+  if ((clause.has_particle("in") || clause.has_particle("into")) && thing != nullptr &&
+      clause.verb == "put" && !history_.empty()) {
+    Clause inside = clause;
+    inside.phrases.push_back(it());
+    inside.phrases.back().role = Role::kDestination, inside.phrases.back().where = Where::kIn;
+    return put(inside);
+  }
+  if (clause.verb == "drop" || (clause.has_particle("down") && !clause.has_particle("at_home")))
+    return release(clause);
+  const bool home = clause.has_particle("at_home"),
+             back = clause.has_particle("back") || clause.verb == "return";
+  const bool away = clause.has_particle("away") || clause.verb == "store" || clause.verb == "stow";
+  if ((clause.frame == Frame::kBring || clause.to_person) && !home && !back && !away) return take(clause);
+  Problem problem;
+  const auto objects = direct(clause, Sort::kMovable, problem);
+  if (!problem.empty()) return problem;
+  if (!home && !back && !away) {
+    if (clause.verb == "stack" || clause.verb == "pile") return stack(objects);
+    return "it is not clear where to put " + resolver_.name(objects.front());
+  }
+  for (const Symbol object : objects) {
+    const Symbol was = back && !home ? resolver_.place_of(object, start_) : Symbol{kNone};
+    const Symbol place = was != kNone ? was : home_of(object);
+    if (place == kNone)
+      return back ? "it is not known where " + resolver_.name(object) + " was"
+                  : "it is not clear where to put " + resolver_.name(object) + " away";
+    // several places are a home ("the shelves"): where it stands on one of them it may stay
+    if (was == kNone && is_home(object, resolver_.place_of(object, now_))) continue;
+    const bool inside =
+        was != kNone ? start_.has(Relation::kIn, object, was) : place == kFridge || place == kGarbageBin_1;
+    if (problem = keep(object, place, inside ? Where::kIn : Where::kOn); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+// "stack the plates": each on the one before.
+std::string FrameActions::stack(const Objects& objects) {
+  if (objects.size() < 2) return "it is not clear what to put " + resolver_.name(objects.front()) + " on";
+  for (std::size_t i = 1; i < objects.size(); ++i)
+    if (const Problem problem = keep(objects[i], objects[i - 1], Where::kOn); !problem.empty())
+      return problem;
+  return {};
+}
+
+bool FrameActions::is_home(Symbol object, Symbol place) const {
+  const ObjectClass* c = resolver_.class_of(object);
+  for (const std::string& home : language_.homes(c->name))
+    if (place != kNone && resolver_.is_of_class(place, home)) return true;
+  return false;
+}
+
+// Where things of its kind belong, by config/language/english.json; the first such place that is here.
+Symbol FrameActions::home_of(Symbol object) const {
+  const ObjectClass* c = resolver_.class_of(object);
+  for (const std::string& home : language_.homes(c->name))
+    for (const SeenObject& place : resolver_.objects())
+      if (place.symbol != object && resolver_.is_of_class(place.symbol, home)) return place.symbol;
+  return kNone;
+}
+
+// "It".
+NounPhrase FrameActions::it() {
+  NounPhrase phrase;
+  phrase.pronoun = true, phrase.word = "it";
+  return phrase;
+}
+
+}  // namespace goalnet::inference
