@@ -122,6 +122,8 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     NounPhrase phrase;
     const std::size_t done = reader_.read(i + 1, end, phrase);
     if (done == i + 1) return i + 1;
+    if (phrase.unknown && !adds(clause.frame) && one_of(words_[i + 1], kPossessives))
+      return done;  // "with my fingers"
     // "the cup with coffee"
     if (!adds(clause.frame) && role == Role::kDirect && !clause.phrases.empty() &&
         phrase.adjectives.empty() && phrase.modifier.empty() &&

@@ -160,6 +160,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     clause.frame = language_.wanted_by_state(clause.state);
     clause.verb = clause.state;
   }
+  // "I need a break, turn on the tv"
+  if (clause.wish && (i >= end || words_[i] == ","))
+    clause.weak =
+        clause.weak || std::any_of(clause.phrases.begin(), clause.phrases.end(),
+                                   [](const NounPhrase& phrase) { return phrase.unknown || phrase.bare(); });
   add(std::move(clause));
   return i;
 }

@@ -10,7 +10,8 @@ using namespace word_group;
 
 std::size_t ClauseParser::skip_joins(std::size_t at, std::size_t end) const {
   while (at < end &&
-         (language_.joins(words_[at]) ||
+         ((language_.joins(words_[at]) &&
+           !(words_[at] == "next" && at + 1 < end && reader_.name_length(at + 1) > 0)) ||  // "next channel"
           (language_.filler(words_[at]) && !reader_.starts(at, end) && !language_.asks(words_[at]) &&
            words_[at] != "let" && words_[at] != "i" && words_[at] != "we" && !place_preposition(words_[at]) &&
            !one_of(words_[at], kSubordinate) && !one_of(words_[at], kParticles) &&
@@ -40,7 +41,8 @@ bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
 bool ClauseParser::starts_clause(std::size_t at, std::size_t end) const {
   if (at >= end) return false;
   if (words_[at] == "not" || words_[at] == "never" || words_[at] == "wish" || one_of(words_[at], kTurns) ||
-      one_of(words_[at], kSubordinate))
+      one_of(words_[at], kSubordinate) ||
+      (language_.asks(words_[at]) && at + 1 < end && words_[at + 1] == "not"))
     return true;
   return opens_command(at, end);
 }
@@ -164,6 +166,13 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       fronted_ = {phrase};
       return command(next, end, Mood::kCommand);
     }
+    if (read && word == "use" && ends_here(next, end)) {  // "use the water dispenser"
+      Clause clause;
+      clause.frame = Frame::kStart, clause.verb = "use";
+      clause.phrases.push_back(std::move(phrase));
+      add(std::move(clause));
+      return next;
+    }
   }
   if (word == "do_that") {  // "the tap is running, do something about it"
     if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement)
@@ -194,7 +203,9 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     add_told(at, part_end(at, end));
     return part_end(at, end);
   }
-  if (word == "wish" || (word == "have" && reader_.starts(at + 1, end)))
+  NounPhrase person;
+  const bool have_you = word == "have" && reader_.read(at + 1, end, person) != at + 1 && person.person;
+  if (word == "wish" || (word == "have" && !have_you && reader_.starts(at + 1, end)))
     return command(at, end, Mood::kCommand);
   if (language_.asks(word) && at + 1 < end && words_[at + 1] == "not" && !opens_command(at + 2, end)) {
     add_told(at, part_end(at, end));  // "does not matter which"
@@ -226,7 +237,10 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       return next;
     }
   }
+  if ((at == 0 || words_[at - 1] == ".") && !language_.known(word) && opens_command(at + 1, end))
+    return at + 1;  // "alexa turn the tap on"
   if (const std::size_t stop = topic(at, end); stop != at) return stop;
+  if (const std::size_t stop = verb_last(at, end); stop != at) return stop;
   if (const std::size_t stop = exclamation(at, end); stop != at) return stop;
   if (const std::size_t stop = told(at, end); stop != at) return stop;
   return statement(at, end);

@@ -33,6 +33,7 @@ class ClauseParser {
   std::size_t correction(std::size_t at, std::size_t end);
   // "the fork, bring it to me": what "it" will mean.
   std::size_t topic(std::size_t at, std::size_t end);
+  std::size_t verb_last(std::size_t at, std::size_t end);
   bool ends_here(std::size_t at, std::size_t end) const;  // only small words up to the end of the part
   void add_told(std::size_t at, std::size_t stop);
   std::size_t exclamation(std::size_t at, std::size_t end) const;

@@ -36,10 +36,40 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
     if (place) phrase.where = last->first(Role::kDestination)->where;
   }
   if (done == next || !ends_here(done, end)) return next;
+  for (const NounPhrase& old : last->phrases)  // "go to the window, I mean the tv"
+    if (old.unknown || old.role == Role::kDestination) {
+      const bool only = last->phrases.size() == 1 || old.unknown;
+      if (only) role = old.role, phrase.where = old.where;
+    }
   phrase.role = role;
+  last->unknown.clear();
   std::erase_if(last->phrases, [&](const NounPhrase& old) { return old.role == role; });
   last->phrases.push_back(std::move(phrase));
   return done;
+}
+
+// "the tv turn on please", "the mug bring me": the thing before its verb.
+std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
+  NounPhrase thing, place;
+  std::size_t i = reader_.read(at, end, thing);
+  if (i == at || thing.person || thing.unknown) return at;
+  thing.role = Role::kDirect;
+  std::vector<NounPhrase> phrases = {thing};
+  for (std::size_t done; (done = reader_.read_place(i, end, place)) != i && !place.person; place = {}) {
+    place.role = Role::kDestination;
+    phrases.push_back(place);
+    i = done;
+  }
+  if (!opens_command(i, end) || language_.wanted_by_state(words_[i]) != Frame::kNone ||
+      language_.participle(words_[i]))
+    return at;
+  for (std::size_t k = i + 1; k < end && words_[k] != ","; ++k) {
+    NounPhrase more;
+    if (reader_.read(k, end, more) != k && !more.person) return at;
+    if (!harmless(k) && !one_of(words_[k], kParticles) && !more.person) return at;
+  }
+  fronted_ = phrases;
+  return command(i, end, Mood::kCommand);
 }
 
 std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
@@ -55,6 +85,24 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   }
   // "spoon in the bowl, put it ...": that is a request of its own
   const bool definite = one_of(words_[at], kArticles) || one_of(words_[at], kPointers) || phrase.everything;
+  // "the beer's empty, toss it"
+  if (done + 1 < end && words_[done + 1] == "," && definite &&
+      (language_.wanted_by_state(words_[done]) != Frame::kNone ||
+       language_.complaint(words_[done]) != Frame::kNone))
+    ++done;
+  // "put it in the sink, the mug I mean"
+  if (Clause* last = result_.clauses.empty() ? nullptr : &result_.clauses.back();
+      last != nullptr && last->mood == Mood::kCommand && definite && result_.clauses.size() == 1 &&
+      ends_here(done, end) && (done >= end || words_[done] == "correction")) {
+    bool pronoun = false;
+    for (NounPhrase& old : last->phrases)
+      if (old.pronoun && old.role == Role::kDirect && old.word == "it") {
+        phrase.role = Role::kDirect;
+        old = phrase;
+        pronoun = true;
+      }
+    if (pronoun) return end;
+  }
   if (done >= end || words_[done] != "," || !(definite || named_only)) return at;
   // a command with "it", or "water in", follows
   const std::size_t next = done + 1;

@@ -22,6 +22,17 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   std::size_t i = at;
   bool negative = false, desired = ensured_;
   const bool there = words_[i] == "there" || words_[i] == "here";
+  const std::size_t count = result_.clauses.size();
+  if (there && i + 2 < end && words_[i + 1] == "should" && words_[i + 2] == "be" && !ensured_) {
+    // "there should be a beer on the shelf": mostly tells where it is
+    ensured_ = true;
+    const std::size_t done = statement(i + 3 < end ? i + 3 : i, end);
+    ensured_ = false;
+    for (std::size_t k = count; k < result_.clauses.size(); ++k)
+      if (result_.clauses[k].mood == Mood::kCommand)
+        result_.clauses[k].mood = Mood::kStatement, result_.clauses[k].wish = true;
+    return done;
+  }
   if (there) {
     ++i;
     for (; i < end && language_.copula(words_[i]); ++i) desired = desired || one_of(words_[i], kDesire);
@@ -40,6 +51,10 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       clause.phrases.back().role = Role::kSource;
       add(std::move(clause));
       return done;
+    }
+    if (at + 1 < end && reader_.name_length(at + 1) > 0) {  // "no tv tonight"
+      add_told(at + 1, part_end(at, end));
+      return part_end(at, end);
     }
   }
   if (one_of(words_[i < end ? i : at], kSpeakers) || language_.wish(words_[i < end ? i : at]) != nullptr) {
@@ -104,6 +119,17 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     return i + 1;
   }
   i = named;
+  // "the stuff on the stove has to go", "the pillow from the shelf should go on the chair"
+  for (NounPhrase place; i < end; place = {}) {
+    const std::size_t from = words_[i] == "from" ? i + 1 : i;
+    const std::size_t done =
+        from > i ? reader_.read(from, end, place, true) : reader_.read_place(i, end, place);
+    if (done == from || place.person || place.hand || done >= end ||
+        !(language_.copula(words_[done]) || one_of(words_[done], kDesire)))
+      break;
+    subject.at.push_back(std::move(place));
+    i = done;
+  }
   // "my coffee has gone cold", "the tv should be on", "that book should not be on the table"
   std::size_t k = i;
   bool verb_seen = there;
@@ -127,6 +153,12 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   clause.phrases = {subject};
   clause.negative = negative;
   add(std::move(clause));
+  if (desired && !negative && k > 0 && (k >= end || language_.joins(words_[k])) &&
+      (words_[k - 1] == "go" || words_[k - 1] == "goe") && !subject.at.empty()) {  // "... has to go"
+    Clause& last = result_.clauses.back();
+    last.mood = Mood::kCommand, last.frame = Frame::kClear, last.verb = "clear";
+    return k;
+  }
   return predicate(k, end, result_.clauses.back(), desired, negative);
 }
 
@@ -277,6 +309,17 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     clause.phrases.push_back(place);
     add(std::move(clause));
     return i + 2;
+  }
+  if (i + 1 < end && words_[i] == "for") {  // "a pillow for every armchair"
+    const std::size_t done = reader_.read(i + 1, end, place, true);
+    if (done != i + 1 && place.all && lexicon_->is_place_name(place.phrase)) {
+      clause.frame = Frame::kPlace, clause.verb = "put";
+      place.role = Role::kDestination, place.where = Where::kOn;
+      clause.phrases.push_back(place);
+      add(std::move(clause));
+      return done;
+    }
+    place = {};
   }
   if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
     clause.frame = Frame::kPlace, clause.verb = "put";

@@ -69,7 +69,8 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
   std::size_t next = at + 1;
   const bool reason = word == "since" || word == "because" || word == "while";
   const auto command_begins = [&](std::size_t i) {
-    return reason && i > at + 2 && opens_command(i, end) && reader_.starts(i + 1, end) &&
+    return reason && i > at + 2 && opens_command(i, end) &&
+           (reader_.starts(i + 1, end) || (i + 1 < end && one_of(words_[i + 1], kParticles))) &&
            words_[i - 1] != "to" && words_[i - 1] != "i" && words_[i - 1] != "you" &&
            words_[i - 1] != "can" && words_[i - 1] != "not";
   };

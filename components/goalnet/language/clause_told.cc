@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t kLongestExclamation = 2;  // words
 constexpr std::size_t kLongestSubject = 5;
+constexpr std::array kOccasions = {"time"sv,  "night"sv,   "day"sv,    "break"sv,
+                                   "party"sv, "evening"sv, "o'clock"sv};
 
 }  // namespace
 
@@ -68,16 +70,19 @@ std::size_t ClauseParser::told(std::size_t at, std::size_t end) {
   ClauseParser trial = *this;
   trial.result_ = {};
   trial.insert_before_ = SIZE_MAX;
-  std::size_t i = at;
-  while (i < stop) i = std::max(trial.statement(i, stop), i + 1);
+  const std::size_t done = trial.statement(at, stop);
   bool read = trial.result_.stray.empty() && trial.result_.problem.empty() && !trial.result_.clauses.empty();
   for (const Clause& clause : trial.result_.clauses) {
     read = read && clause.unknown.empty();
     for (const NounPhrase& phrase : clause.phrases) read = read && !phrase.unknown;
   }
-  if (read) return at;
-  add_told(at, stop);
-  return stop;
+  if (!read) {
+    add_told(at, stop);
+    return stop;
+  }
+  reader_.recall(trial.reader_);
+  for (Clause& clause : trial.result_.clauses) add(std::move(clause));
+  return std::max(done, at + 1);
 }
 
 // "movie night!", "bedtime, kids": one or two words on their own that name and do nothing here.
@@ -86,6 +91,7 @@ std::size_t ClauseParser::exclamation(std::size_t at, std::size_t end) const {
   std::size_t stop = at;
   while (stop < end && words_[stop] != ",") ++stop;
   if (stop == at || stop - at > kLongestExclamation) return at;
+  if (stop - at == 2 && one_of(words_[at + 1], kOccasions)) return stop;  // "movie night!"
   for (std::size_t i = at; i < stop; ++i)
     if (reader_.starts(i, stop) || reader_.name_length(i) > 0 || language_.verb(words_[i]) != Frame::kNone ||
         place_preposition(words_[i]) || language_.wish(words_[i]) != nullptr ||

@@ -8,7 +8,15 @@ namespace goalnet::inference {
 
 using namespace symbol;
 
+// Nobody leaves the tap running behind a vessel that is full. While more is done at the sink it may run.
+void FrameActions::close_tap() {
+  if (!tap_fills_) return;
+  tap_fills_ = false;
+  if (closes_tap_ && now_.is(kSinkKnob, kTapIsOn)) act({Verb::kTurn, kSinkKnob});
+}
+
 std::string FrameActions::act(const SymAction& macro) {
+  if (macro.x != kSinkKnob && macro.y != kSink) close_tap();
   const auto run = with_means(macro, now_);
   if (run.empty()) return "that cannot be done from here";
   SymDelta step;
@@ -54,8 +62,12 @@ std::string FrameActions::add(const Clause& clause) {
   if (!clause.unknown.empty()) return language_.unknown_word(clause.unknown.front());
   for (const NounPhrase& phrase : clause.phrases)
     if (phrase.unknown) return unknown_name(phrase.word);
-  for (const Clause& condition : clause.condition) {
+  for (Clause condition : clause.condition) {
     Problem problem;
+    // "switch on the tv, unless it is on": the tv
+    if (const NounPhrase* named = clause.first(Role::kDirect);
+        condition.phrases.front().pronoun && history_.empty() && named != nullptr && !named->pronoun)
+      condition.phrases.front() = *named;
     const bool so = holds(condition, problem);
     if (!problem.empty()) return problem;
     notice(condition);

@@ -14,14 +14,17 @@ namespace goalnet::inference {
 class FrameActions {
  public:
   FrameActions(const Instruction& instruction, const Lexicon& lexicon, const Language& language,
-               const Symbols& symbols, const SymState& start, const Distances* distances)
+               const Symbols& symbols, const SymState& start, const Distances* distances, bool closes_tap)
       : resolver_(instruction, lexicon, language, symbols, distances),
         language_(language),
         start_(start),
-        now_(start) {}
+        now_(start),
+        closes_tap_(closes_tap) {}
 
   // Adds what the clause asks for; otherwise adds nothing and says why not, in one sentence.
   std::string add(const Clause& clause);
+  // What is to be done when all is added: a tap that only filled something is turned off.
+  void finish() { close_tap(); }
   // Whether `problem`, as add() said it, is that a thing spoken of is not here or not known.
   bool names_missing_thing(const std::string& problem) const {
     return !missing_.empty() && problem == missing_;
@@ -54,6 +57,7 @@ class FrameActions {
   Problem not_here(Problem problem) const;  // takes note: a thing is missing
   void remember(const Objects& objects);
   Problem act(const SymAction& macro);
+  void close_tap();
   Problem keep(Symbol x, Symbol y, Where where);
   Problem dispatch(const Clause& clause);
   bool holds(const Clause& statement, Problem& problem);
@@ -67,6 +71,7 @@ class FrameActions {
   Symbol home_of(Symbol object) const;  // kNone: it has none here
   bool is_home(Symbol object, Symbol place) const;
   static NounPhrase it();
+  bool lexicon_place(const NounPhrase& phrase);  // names furniture or fixtures, nothing that moves
   Problem put_at(const Clause& clause, const Objects& objects, const NounPhrase& destination);
   Problem discard(const Clause& clause);
   Problem release(const Clause& clause);
@@ -107,10 +112,14 @@ class FrameActions {
   std::vector<SymDelta> steps_;
   std::vector<Objects> history_;  // what "it" may mean, the newest last
   Objects last_destination_;      // what "there" means
+  Objects taken_;                 // in the hands because somebody wants it there
   Objects mass_;                  // "everything", newest: "it" means all of that
   mutable Problem missing_;       // the last that said so; see names_missing_thing()
-  bool moves_ = false;            // "move", "carry": to another place than where it is
-  Objects avoid_;                 // places: what stands there already is not what should be put there
+  bool closes_tap_;
+  bool tap_fills_ = false;  // it was turned on to fill something, and runs still
+  bool tap_asked_ = false;  // somebody wants it to run
+  bool moves_ = false;      // "move", "carry": to another place than where it is
+  Objects avoid_;           // places: what stands there already is not what should be put there
 };
 
 }  // namespace goalnet::inference

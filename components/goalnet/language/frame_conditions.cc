@@ -58,6 +58,13 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
     so = resolver_.doubts().loose == loose;
     resolver_.doubts().loose = loose;
   }
+  // "if there is coffee in the mug"
+  if (const Symbol content = language_.content(subject.phrase);
+      content != kNone && !subject.at.empty() && !subject.pronoun) {
+    const NounPhrase& in = subject.at.front();
+    const auto vessels = in.pronoun || in.bare() ? Objects{} : resolver_.options(in, Sort::kVessel, now_);
+    if (!vessels.empty()) so = now_.is(vessels.front(), content);
+  }
   const std::string& state = statement.state;
   if (state == "on" || state == "running" || state == "lit" || state == "burning") {
     so = is_on(object);

@@ -22,6 +22,7 @@ std::string FrameActions::turn_on(Symbol device, bool on, int number) {
   const auto set = [&](Symbol object, Symbol value, const SymAction& toggle) -> Problem {
     return now_.is(object, value) == on ? Problem{} : act(toggle);
   };
+  if (device == kSinkKnob) tap_asked_ = on, tap_fills_ = false;
   if (device == kSinkKnob) return set(kSinkKnob, kTapIsOn, {Verb::kTurn, kSinkKnob});
   if (device == kTv_1 || device == kTv_1Remote_1) return set(kTv_1, kIsOn, {Verb::kPress, kTv_1PowerButton});
   if (device == kFridgeButton) return set(kFridge, kWaterDispenserIsOpen, {Verb::kPress, kFridgeButton});

@@ -86,6 +86,7 @@ FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role
     const Objects chosen = objects_of(phrase, sort, clause);
     if (chosen.empty() && !phrase.alternative && problem.empty()) problem = unknown_thing(phrase, sort);
     if (!chosen.empty() && phrase.alternative) problem.clear();
+    if (!chosen.empty()) resolver_.remember(chosen);  // "a plate and then the other one"
     for (const Symbol object : chosen)
       if (!contains(objects, object)) objects.push_back(object);
   }

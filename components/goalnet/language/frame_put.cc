@@ -27,12 +27,14 @@ std::string FrameActions::put(const Clause& said) {
       resolver_.options(clause.phrases.front(), Sort::kMovable, now_).empty()) {
     NounPhrase moved = clause.phrases.front();
     moved.phrase = moved.word = moved.modifier;
+    moved.plural = moved.modifier_plural;
     moved.modifier.clear();
     NounPhrase& place = clause.phrases.front();
     place.role = Role::kDestination, place.where = Where::kOn;
     place.modifier.clear();
     clause.phrases.push_back(moved);
   }
+  if (clause.has_particle("to_boil")) return heat(clause, true);  // "bring the water to the boil"
   // "put in a disc"
   if (clause.phrases.size() == 1 && clause.first(Role::kDirect) == nullptr) {
     NounPhrase& only = clause.phrases.front();
@@ -89,9 +91,9 @@ std::string FrameActions::put(const Clause& said) {
 
   // Contents are poured, shaken or scooped; only vessels are carried.
   const Symbol content = thing->pronoun ? Symbol{kNone} : language_.content(thing->phrase);
-  const auto vessels = destination->pronoun || destination->bare()
-                           ? Objects{}
-                           : resolver_.options(*destination, Sort::kPlace, now_);
+  const auto vessels = destination->pronoun  ? pronoun(*destination, Sort::kPlace, {})
+                       : destination->bare() ? Objects{}
+                                             : resolver_.options(*destination, Sort::kPlace, now_);
   const bool into_dish =
       !vessels.empty() && (resolver_.is_vessel(vessels.front()) || resolver_.class_of(vessels.front())->dish);
   // "put the noodles into the kettle with some water"
@@ -115,7 +117,12 @@ std::string FrameActions::put(const Clause& said) {
       return with_the_rest(add_to(only));
     }
   }
-  if (content == kWater && !into_dish && vessel_with(kWater) == kNone) return heat(clause, true);
+  if (content == kWater && !into_dish && vessel_with(kWater) == kNone) {
+    if (!vessels.empty() && vessels.front() == kSink)
+      return turn_on(kSinkKnob, true, 0);  // "let water into the sink"
+    const bool hot = vessels.empty() || resolver_.is_of_class(vessels.front(), "burner");
+    if (hot) return heat(clause, true);
+  }
 
   // "a pillow on each couch": as many as there are couches
   if (destination->all && !thing->pronoun && !thing->plural && thing->count < 2 && !thing->all &&

@@ -34,6 +34,12 @@ std::string FrameActions::put_without_place(const Clause& clause) {
     inside.phrases.back().role = Role::kDestination, inside.phrases.back().where = Where::kIn;
     return put(inside);
   }
+  if (clause.verb == "tidy" && thing != nullptr && lexicon_place(*thing)) return clear(clause);
+  // "leave the books": nothing is to be done with them
+  if (clause.verb == "leave" && !clause.to_person && thing != nullptr && !clause.has_particle("at_home")) {
+    notice(clause);
+    return {};
+  }
   if (clause.verb == "drop" || (clause.has_particle("down") && !clause.has_particle("at_home")))
     return release(clause);
   const bool home = clause.has_particle("at_home"),
@@ -60,6 +66,13 @@ std::string FrameActions::put_without_place(const Clause& clause) {
     if (problem = keep(object, place, inside ? Where::kIn : Where::kOn); !problem.empty()) return problem;
   }
   return {};
+}
+
+bool FrameActions::lexicon_place(const NounPhrase& phrase) {
+  if (phrase.pronoun || phrase.bare() || phrase.everything) return false;
+  const auto places = resolver_.options(phrase, Sort::kPlace, now_);
+  return !places.empty() && resolver_.class_of(places.front())->place &&
+         !now_.has(Relation::kIsGraspable, places.front());
 }
 
 // "stack the plates": each on the one before.

@@ -44,7 +44,8 @@ std::string FrameActions::take(const Clause& clause) {
     const int loose = resolver_.doubts().loose;
     const auto there = resolver_.options(*thing, Sort::kMovable, now_);
     const bool content = language_.content(thing->phrase) != kNone && there.empty();
-    if ((resolver_.doubts().loose > loose && !there.empty()) || content) {
+    const bool each = clause.wish && thing->at.front().all;  // "I want a pillow on each armchair"
+    if ((resolver_.doubts().loose > loose && !there.empty()) || content || each) {
       resolver_.doubts().loose = loose;
       Clause wanted = clause;
       for (NounPhrase& phrase : wanted.phrases)
@@ -57,6 +58,25 @@ std::string FrameActions::take(const Clause& clause) {
         }
       wanted.frame = Frame::kPlace, wanted.to_person = false;
       return put(wanted);
+    }
+  }
+  // "give the coffee a minute in the microwave"
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      clause.verb == "give" && thing != nullptr && !thing->at.empty() && !thing->at.front().pronoun &&
+      !thing->at.front().bare()) {
+    const auto places = resolver_.options(thing->at.front(), Sort::kPlace, now_);
+    NounPhrase plain = *thing;
+    plain.at.clear();
+    const auto objects = plain.pronoun ? Objects{} : resolver_.options(plain, Sort::kMovable, now_);
+    const bool heats =
+        !places.empty() && (places.front() == kMicrowave || resolver_.is_of_class(places.front(), "burner"));
+    if (heats && !objects.empty() && resolver_.place_of(objects.front(), now_) != places.front()) {
+      Clause hot = clause;
+      NounPhrase place = thing->at.front();
+      place.role = Role::kDestination;
+      hot.phrases = {plain, place};
+      hot.frame = Frame::kHeat, hot.verb = "heat";
+      return heat(hot, false);
     }
   }
   // "the book, I would like it on the table"
@@ -98,7 +118,14 @@ std::string FrameActions::take(const Clause& clause) {
   const auto objects = direct(located, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
   for (const Symbol object : objects) {
-    if (now_.holds(object)) continue;
+    if (now_.holds(object) && (start_.holds(object) || contains(taken_, object))) continue;
+    taken_.push_back(object);
+    if (now_.holds(object)) {  // so far only as a means: "pour it into the glass and hand me the glass"
+      macros_.push_back({Verb::kGrasp, object});
+      steps_.emplace_back();
+      steps_.back().added = {sym_fact(Relation::kGrasping, kRobot, object)};
+      continue;
+    }
     if (problem = act({Verb::kGrasp, object}); !problem.empty()) return problem;
   }
   return {};

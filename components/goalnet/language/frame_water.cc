@@ -15,7 +15,10 @@ std::string FrameActions::fill_with_water(Symbol vessel) {
   if (now_.is(vessel, kWater)) return {};
   if (now_.is(kSinkKnob, kTapIsOn))  // it ran past the vessel: once more
     if (const Problem problem = act({Verb::kTurn, kSinkKnob}); !problem.empty()) return problem;
-  return act({Verb::kTurn, kSinkKnob});
+  const bool was_off = !start_.is(kSinkKnob, kTapIsOn) && !tap_asked_;
+  const Problem problem = act({Verb::kTurn, kSinkKnob});
+  tap_fills_ = problem.empty() && was_off;
+  return problem;
 }
 
 std::string FrameActions::fill_one(Symbol vessel, Symbol content) {
@@ -181,6 +184,13 @@ std::string FrameActions::empty(const Clause& clause) {
         !now_.has(Relation::kIsGraspable, places.front()))
       return clear(clause);
   }
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      clause.verb == "dump" && thing != nullptr && !thing->pronoun && !thing->bare() &&
+      resolver_.options(*thing, Sort::kVessel, now_).empty()) {  // "dump the bag of chips"
+    Clause thrown = clause;
+    thrown.frame = Frame::kDiscard, thrown.verb = "discard";
+    return discard(thrown);
+  }
   Problem problem;
   const auto vessels = direct(clause, Sort::kVessel, problem);
   if (!problem.empty()) return problem;
@@ -195,6 +205,9 @@ std::string FrameActions::empty(const Clause& clause) {
 
 std::string FrameActions::wash(const Clause& clause) {
   Problem problem;
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      clause.verb == "clean" && thing != nullptr && lexicon_place(*thing))
+    return clear(clause);  // "clean up the stove"
   if (!resolver_.exists(kSink)) return not_here("there is no sink here");
   const auto objects = direct(clause, Sort::kMovable, problem);
   if (!problem.empty()) return problem;

@@ -69,7 +69,13 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
     result.problems.push_back(problem);
     return result;
   }
-  FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances);
+  // "fill the mug, but do not turn off the tap"
+  const bool may_run =
+      std::any_of(sentence.clauses.begin(), sentence.clauses.end(), [](const Clause& clause) {
+        return clause.mood == Mood::kForbidden &&
+               (clause.has("tap") || clause.has("water") || clause.has("faucet"));
+      });
+  FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances, closes_tap_ && !may_run);
   std::size_t missing = 0;
   for (const Clause& clause : sentence.clauses) {
     if (clause.mood == Mood::kStatement || clause.mood == Mood::kQuestion) {
@@ -95,6 +101,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       missing += actions.names_missing_thing(problem);
     }
   }
+  actions.finish();
   for (const Clause& clause : sentence.clauses)
     if (clause.mood == Mood::kForbidden)
       if (const std::string problem = actions.check_forbidden(clause, start); !problem.empty())

@@ -28,8 +28,10 @@ struct Understanding {
 
 class FrameReader {
  public:
-  FrameReader(const Lexicon& lexicon, const Language& language, const Symbols& symbols)
-      : lexicon_(lexicon), language_(language), symbols_(symbols) {}
+  // `closes_tap`: turns off the tap that was only turned on to fill something, as people do.
+  FrameReader(const Lexicon& lexicon, const Language& language, const Symbols& symbols,
+              bool closes_tap = false)
+      : lexicon_(lexicon), language_(language), symbols_(symbols), closes_tap_(closes_tap) {}
 
   // Reads the words that the instruction was seen with.
   Understanding read(const Instruction& instruction, const SymState& start) const;
@@ -41,6 +43,7 @@ class FrameReader {
   const Lexicon& lexicon_;
   const Language& language_;
   const Symbols& symbols_;
+  bool closes_tap_;
 };
 
 }  // namespace goalnet::inference

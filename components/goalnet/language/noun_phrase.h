@@ -21,6 +21,7 @@ struct NounPhrase {
   std::string word;                     // as said, for messages
   std::string content;                  // "coffee" of "a cup of coffee", "the mug with coffee in it"
   std::string modifier;                 // "shelf" of "the shelf pillow"
+  bool modifier_plural = false;         // "plates" of "plates sink now"
   std::vector<std::string> adjectives;  // words of state: empty, full, hot, open, left, other, held, ...
   std::vector<NounPhrase> at;           // where it is said to be: "in the sink"
   int count = 0;                        // "two", "both"; 0 when not said
@@ -62,6 +63,10 @@ class NounPhraseReader {
   std::size_t read_place(std::size_t at, std::size_t end, NounPhrase& place) const;
   // How many words at `at` make a known name; 0 for none.
   std::size_t name_length(std::size_t at) const { return names_[at]; }
+  // Takes over what "one" stands for from a reader of the same words.
+  void recall(const NounPhraseReader& other) {
+    last_thing_ = other.last_thing_, last_place_ = other.last_place_;
+  }
   // Whether a noun phrase could begin here.
   bool starts(std::size_t at, std::size_t end) const;
 

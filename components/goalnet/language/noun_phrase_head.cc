@@ -30,7 +30,7 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     std::size_t after_name = i + names_[i];
     // Two names side by side: the first says which of the second ("the shelf pillow", "the vanilla syrup").
     if (after_name < end && names_[after_name] > 0 && language_.content(name(i)) == symbol::kNone) {
-      phrase.modifier = name(i);
+      phrase.modifier = name(i), phrase.modifier_plural = words_.plural[after_name - 1];
       i = after_name;
     } else if (after_name < end && names_[after_name] > 0 && lexicon_.is_name(name(after_name))) {
       phrase.content = name(i);  // "the coffee mug", "a water glass"

@@ -74,7 +74,7 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   Reading reading;
   reading.words = normal_words(tokens, *language_);
   reading.instruction = see_instruction({}, nullptr, with_parts, *lexicon_, *language_, symbols_);
-  const FrameReader reader(*lexicon_, *language_, symbols_);
+  const FrameReader reader(*lexicon_, *language_, symbols_, true);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
   if (reading.understanding.complete) return reading;
   // The likeliest spelling makes no sense: perhaps another one does.

@@ -56,15 +56,18 @@ inline constexpr std::array kLying = {
 inline constexpr std::array kSubjects = {"i"sv,        "we"sv,      "he"sv,       "she"sv,       "they"sv,
                                          "it"sv,       "this"sv,    "that"sv,     "there"sv,     "nobody"sv,
                                          "somebody"sv, "someone"sv, "everyone"sv, "everybody"sv, "nothing"sv,
-                                         "these"sv,    "those"sv,   "you"sv};
+                                         "these"sv,    "those"sv,   "you"sv,      "whoever"sv};
 
 // What rewriting leaves where a sentence takes a turn.
 inline constexpr std::array kTurns = {"correction"sv, "do_that"sv, "hint"sv, "wish_to"sv};
 
+inline constexpr std::array kPossessives = {"my"sv, "your"sv, "his"sv, "her"sv, "our"sv, "their"sv};
+
 // Behind verbs; before clauses that hang on others.
-inline constexpr std::array kParticles = {
-    "on"sv,   "off"sv,    "up"sv,      "down"sv,  "out"sv,   "away"sv,     "over"sv,    "in"sv,
-    "back"sv, "around"sv, "through"sv, "aside"sv, "along"sv, "together"sv, "at_home"sv, "under_tap"sv};
+inline constexpr std::array kParticles = {"on"sv,        "off"sv,    "up"sv,    "down"sv,     "out"sv,
+                                          "away"sv,      "over"sv,   "in"sv,    "back"sv,     "around"sv,
+                                          "through"sv,   "aside"sv,  "along"sv, "together"sv, "at_home"sv,
+                                          "under_tap"sv, "to_boil"sv};
 inline constexpr std::array kDeterminers = {"the"sv, "a"sv, "an"sv, "my"sv, "some"sv, "your"sv};
 inline constexpr std::array kSubordinate = {"if"sv,     "unless"sv,    "when"sv,    "once"sv,     "after"sv,
                                             "before"sv, "while"sv,     "until"sv,   "because"sv,  "since"sv,

@@ -70,6 +70,17 @@ void drop_intensifiers(std::vector<std::string>& text) {
   text = std::move(kept);
 }
 
+// "we're wasting it" comes as "were": at the beginning of a clause nothing else fits.
+void split_were(std::vector<std::string>& text) {
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == "were" &&
+        (i == 0 || text[i - 1] == "," || text[i - 1] == "." || text[i - 1] == "because" ||
+         text[i - 1] == "and" || text[i - 1] == "since" || text[i - 1] == "so" || text[i - 1] == "but")) {
+      text[i] = "we";
+      text.insert(text.begin() + static_cast<long>(i) + 1, "are");
+    }
+}
+
 // "burners 2 and 3" -> "burner 2 and burner 3"
 void repeat_numbered(std::vector<std::string>& text, const Language& language) {
   const auto number = [&](std::size_t i) {
@@ -132,6 +143,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
       text.push_back(lost_s ? mended_token + "s" : mended_token);  // "pilows" are pillows
     }
   }
+  split_were(text);
   drop_intensifiers(text);
   speak_for_others(text, language);
   repeat_numbered(text, language);
