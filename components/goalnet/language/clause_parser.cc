@@ -207,8 +207,9 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   const bool have_you = word == "have" && reader_.read(at + 1, end, person) != at + 1 && person.person;
   if (word == "wish" || (word == "have" && !have_you && reader_.starts(at + 1, end)))
     return command(at, end, Mood::kCommand);
-  if (language_.asks(word) && at + 1 < end && words_[at + 1] == "not" && !opens_command(at + 2, end)) {
-    add_told(at, part_end(at, end));  // "does not matter which"
+  if (language_.asks(word) && at + 1 < end && words_[at + 1] == "not") {
+    if (opens_command(at + 2, end)) return at + 1;  // "do not turn off the tap"
+    add_told(at, part_end(at, end));                // "does not matter which"
     return part_end(at, end);
   }
   // "I can never get this open": what somebody cannot do may be wanted

@@ -225,7 +225,9 @@ std::string FrameActions::make(const Clause& clause) {
       remember({vessel});
       if (problem = fill_with_water(vessel); !problem.empty()) return problem;
       if (!hot)
-        return (clause.frame == Frame::kTake || clause.to_person) && !now_.holds(vessel) ? act({Verb::kGrasp, vessel}) : Problem{};
+        return (clause.frame == Frame::kTake || clause.to_person) && !now_.holds(vessel)
+                   ? act({Verb::kGrasp, vessel})
+                   : Problem{};
       return heat_objects({vessel}, !resolver_.is_of_class(vessel, "kettle") && resolver_.exists(kMicrowave),
                           nullptr);
     case kCoffee:
