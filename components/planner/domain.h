@@ -1,8 +1,9 @@
-// A PDDL domain after parsing: types, constants, predicates, action schemas. Immutable afterwards; may be read
-// from several threads at once.
+// A PDDL domain after parsing: types, constants, predicates, action schemas. Immutable afterwards; may be
+// read from several threads at once.
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,11 +32,11 @@ struct CostExpression {
 struct ActionSchema {
   std::string name;
   std::int32_t parameter_count = 0;
-  std::vector<TypeSet> slots;            // types of the parameters, then of all quantified variables
-  std::vector<std::string> slot_names;   // "?x", for messages
+  std::vector<TypeSet> slots;           // types of the parameters, then of all quantified variables
+  std::vector<std::string> slot_names;  // "?x", for messages
   Formula precondition;
   Effect effect;
-  CostExpression cost;                   // meaningful where the problem minimises total-cost
+  CostExpression cost;  // meaningful where the problem minimises total-cost
 };
 
 // (:derived (above ?x ?y) FORMULA). A predicate may have several; any of them makes it true.
@@ -59,9 +60,17 @@ struct Domain {
   SymbolTable action_names;
   std::vector<ActionSchema> actions;
   std::vector<DerivedPredicate> derived;
-  // By predicate: -1, or for a derived predicate that depends on itself its layer; see derived_layers.h.
+  // By predicate: the layer of a derived predicate that is computed in every state, or one of these; see
+  // derived_layers.h.
+  static constexpr std::int32_t kGiven = -1;  // not derived
+  static constexpr std::int32_t kWrittenOut =
+      -2;  // derived, and replaced by its definition wherever it is used
   std::vector<std::int32_t> layer;
 
+  bool is_derived(PredicateId predicate) const {
+    return layer[static_cast<std::size_t>(predicate)] != kGiven;
+  }
+  // Derived and computed.
   bool recursive(PredicateId predicate) const { return layer[static_cast<std::size_t>(predicate)] >= 0; }
   bool has_recursion() const;
 
@@ -69,11 +78,13 @@ struct Domain {
   bool is_a(TypeId type, const TypeSet& any_of) const;
 };
 
-// Parses a PDDL 2.1 domain (the ADL part, derived predicates and action costs). `filename` is for messages only:
-// every error is kInvalidRequest and starts with "filename:line:column: ".
-Expected<Domain> parse_domain(std::string_view text, std::string_view filename);
+// Parses a PDDL 2.1 domain (the ADL part, derived predicates and action costs). `filename` is for messages
+// only: every error is kInvalidRequest and starts with "filename:line:column: ", but for kCancelled, soon
+// after `stop` asks.
+Expected<Domain> parse_domain(std::string_view text, std::string_view filename,
+                              const std::stop_token& stop = {});
 
 // Reads and parses a file.
-Expected<Domain> load_domain(const std::string& path);
+Expected<Domain> load_domain(const std::string& path, const std::stop_token& stop = {});
 
 }  // namespace goalnet::planner

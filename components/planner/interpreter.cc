@@ -230,7 +230,7 @@ Expected<const ActionSchema*> Interpreter::bind(const Action& action, std::vecto
   const std::int32_t index = domain.action_names.find(action.name);
   if (index == SymbolTable::kNone) {
     return fail(Outcome::kInvalidRequest, "domain " + domain.name + " has no action '" + action.name + "'" +
-                                              did_you_mean(action.name, domain.action_names.names()));
+                                              did_you_mean(action.name, domain.action_names.first_names()));
   }
   const ActionSchema& schema = domain.actions[static_cast<std::size_t>(index)];
   if (static_cast<std::int32_t>(action.arguments.size()) != schema.parameter_count) {
@@ -243,7 +243,7 @@ Expected<const ActionSchema*> Interpreter::bind(const Action& action, std::vecto
     const ObjectId id = problem_.find_object(action.arguments[i]);
     if (id == SymbolTable::kNone || !problem_.present(id)) {
       return fail(Outcome::kUnknownObject, "(" + to_string(action) + "): unknown object '" + action.arguments[i] + "'" +
-                                               did_you_mean(action.arguments[i], problem_.object_names()));
+                                               did_you_mean(action.arguments[i], problem_.first_object_names()));
     }
     if (!problem_.object_is_a(id, schema.slots[i])) {
       std::string types;

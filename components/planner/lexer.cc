@@ -14,7 +14,8 @@ constexpr std::array<unsigned char, 256> classes() {
   for (char c = 'a'; c <= 'z'; ++c) table[static_cast<unsigned char>(c)] = kWordCharacter;
   for (char c = 'A'; c <= 'Z'; ++c) table[static_cast<unsigned char>(c)] = kWordCharacter;
   for (char c = '0'; c <= '9'; ++c) table[static_cast<unsigned char>(c)] = kWordCharacter;
-  for (const char c : {'-', '_', '?', ':', '=', '.', '@', '+', '*', '/', '<', '>', '#', '!', '&', '%', '$', '\''}) {
+  for (const char c :
+       {'-', '_', '?', ':', '=', '.', '@', '+', '*', '/', '<', '>', '#', '!', '&', '%', '$', '\''}) {
     table[static_cast<unsigned char>(c)] = kWordCharacter;
   }
   table['('] = table[')'] = kParenthesis;
@@ -27,13 +28,25 @@ unsigned char class_of(char c) { return kClasses[static_cast<unsigned char>(c)];
 
 }  // namespace
 
+template <class Inside>
+void Lexer::skip(const Inside& inside) {
+  constexpr std::size_t kPiece = 1u << 16;  // one comment may be as long as the text
+  while (!stopped_) {
+    const std::size_t end = std::min(at_ + kPiece, text_.size());
+    while (at_ < end && inside(text_[at_])) ++at_;
+    if (at_ < end || end == text_.size()) return;
+    stopped_ = stop_.stop_requested();
+  }
+  at_ = text_.size();
+}
+
 void Lexer::advance() {
   while (at_ < text_.size()) {
     const unsigned char kind = class_of(text_[at_]);
     if (kind == kSpace) {
-      ++at_;
+      skip([](char c) { return class_of(c) == kSpace; });
     } else if (kind == kComment) {
-      while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+      skip([](char c) { return c != '\n'; });
     } else {
       break;
     }
@@ -49,7 +62,7 @@ void Lexer::advance() {
       ++at_;
       return;
     case kWordCharacter:
-      while (at_ < text_.size() && class_of(text_[at_]) == kWordCharacter) ++at_;
+      skip([](char c) { return class_of(c) == kWordCharacter; });
       token_ = {Token::Kind::kWord, text_.substr(start, at_ - start), start};
       return;
     default:

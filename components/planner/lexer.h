@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace goalnet::planner {
 
@@ -16,7 +18,8 @@ struct Token {
 
 class Lexer {
  public:
-  explicit Lexer(std::string_view text) : text_(text) { advance(); }
+  // Ends soon after `stop` asks, as if the text ended there.
+  Lexer(std::string_view text, std::stop_token stop) : text_(text), stop_(std::move(stop)) { advance(); }
 
   const Token& peek() const { return token_; }
   Token next() {
@@ -30,8 +33,13 @@ class Lexer {
 
  private:
   void advance();
+  // Passes the characters that are `inside`.
+  template <class Inside>
+  void skip(const Inside& inside);
 
   std::string_view text_;
+  std::stop_token stop_;
+  bool stopped_ = false;
   std::size_t at_ = 0;
   Token token_;
 };

@@ -38,7 +38,8 @@ Formula Normaliser::junction(bool conjunction, std::vector<Formula> children) co
   const auto kind = conjunction ? Formula::Kind::kAnd : Formula::Kind::kOr;
   const auto neutral = conjunction ? Formula::Kind::kTrue : Formula::Kind::kFalse;
   const auto absorbing = conjunction ? Formula::Kind::kFalse : Formula::Kind::kTrue;
-  const bool nested = std::any_of(children.begin(), children.end(), [&](const Formula& c) { return c.kind == kind; });
+  const bool nested =
+      std::any_of(children.begin(), children.end(), [&](const Formula& c) { return c.kind == kind; });
   if (std::any_of(children.begin(), children.end(), [&](const Formula& c) { return c.kind == absorbing; })) {
     return constant(!conjunction);
   }
@@ -72,8 +73,9 @@ Formula Normaliser::equality(const Formula& formula, bool negated) const {
   if (left == right) return constant(!negated);
   if (!left.is_variable() && !right.is_variable()) return constant(negated);
   for (const Exclusion& exclusion : excluded_) {
-    const bool match = (left.is_variable() && left.slot() == exclusion.slot && right == Term::object(exclusion.object)) ||
-                       (right.is_variable() && right.slot() == exclusion.slot && left == Term::object(exclusion.object));
+    const bool match =
+        (left.is_variable() && left.slot() == exclusion.slot && right == Term::object(exclusion.object)) ||
+        (right.is_variable() && right.slot() == exclusion.slot && left == Term::object(exclusion.object));
     if (match) return constant(negated);
   }
   return negated ? negation(std::move(result)) : result;
@@ -84,7 +86,7 @@ Formula Normaliser::inlined(const AtomPattern& use, bool negated) const {
   std::vector<Formula> bodies;
   for (const DerivedPredicate& definition : domain_.derived) {
     if (definition.predicate != use.predicate) continue;
-    Normaliser inner(domain_, slots_);
+    Normaliser inner(domain_, slots_, stop_);
     const auto parameters = static_cast<std::size_t>(definition.parameter_count);
     std::vector<Formula> parts;
     for (std::size_t i = 0; i < definition.slots.size(); ++i) {
@@ -95,7 +97,8 @@ Formula Normaliser::inlined(const AtomPattern& use, bool negated) const {
         continue;
       }
       inner.fixed_.push_back({slot, use.arguments[i]});
-      const TypeSet declared = domain_.predicate_schemas[static_cast<std::size_t>(use.predicate)].parameters[i];
+      const TypeSet declared =
+          domain_.predicate_schemas[static_cast<std::size_t>(use.predicate)].parameters[i];
       const bool narrower = !std::all_of(declared.begin(), declared.end(), [&](TypeId type) {
         return domain_.is_a(type, definition.slots[i]);
       });
@@ -121,20 +124,24 @@ Formula Normaliser::atom(const Formula& formula, bool negated) const {
   Formula result;
   result.kind = formula.kind;
   result.atom = substitute(formula.atom);
-  const bool derived = !domain_.recursive(result.atom.predicate) && std::any_of(domain_.derived.begin(), domain_.derived.end(), [&](const DerivedPredicate& d) {
-    return d.predicate == result.atom.predicate;
-  });
+  const bool derived = domain_.is_derived(result.atom.predicate) && !domain_.recursive(result.atom.predicate);
   if (derived) return inlined(result.atom, negated);
   return negated ? negation(std::move(result)) : result;
 }
 
 Formula Normaliser::normalise(const Formula& formula, bool negated) const {
+  if (stop_.stop_requested()) return constant(false);
   switch (formula.kind) {
-    case Formula::Kind::kTrue: return constant(!negated);
-    case Formula::Kind::kFalse: return constant(negated);
-    case Formula::Kind::kAtom: return atom(formula, negated);
-    case Formula::Kind::kEqual: return equality(formula, negated);
-    case Formula::Kind::kNot: return normalise(formula.children[0], !negated);
+    case Formula::Kind::kTrue:
+      return constant(!negated);
+    case Formula::Kind::kFalse:
+      return constant(negated);
+    case Formula::Kind::kAtom:
+      return atom(formula, negated);
+    case Formula::Kind::kEqual:
+      return equality(formula, negated);
+    case Formula::Kind::kNot:
+      return normalise(formula.children[0], !negated);
     case Formula::Kind::kAnd:
     case Formula::Kind::kOr: {
       const bool conjunction = (formula.kind == Formula::Kind::kAnd) != negated;
@@ -164,6 +171,33 @@ Formula Normaliser::normalise(const Formula& formula, bool negated) const {
     }
   }
   return formula;
+}
+
+std::vector<Formula> alternatives(const Formula& formula, std::size_t most) {
+  if (formula.kind == Formula::Kind::kOr) {
+    std::vector<Formula> result;
+    for (const Formula& child : formula.children) {
+      for (Formula& inner : alternatives(child, most)) result.push_back(std::move(inner));
+    }
+    if (result.size() <= most) return result;
+    return {formula};
+  }
+  if (formula.kind != Formula::Kind::kAnd) return {formula};
+  std::vector<Formula> result(1);
+  result[0].kind = Formula::Kind::kAnd;
+  for (const Formula& child : formula.children) {
+    std::vector<Formula> options = alternatives(child, most);
+    if (options.size() * result.size() > most) options = {child};
+    std::vector<Formula> product;
+    for (const Formula& left : result) {
+      for (const Formula& option : options) {
+        product.push_back(left);
+        product.back().children.push_back(option);
+      }
+    }
+    result = std::move(product);
+  }
+  return result;
 }
 
 }  // namespace goalnet::planner

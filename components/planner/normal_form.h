@@ -1,7 +1,9 @@
-// Conditions in negation normal form: 'not' only before atoms and equalities, derived predicates replaced by their
-// definitions where these are not recursive, constants folded.
+// Conditions in negation normal form: 'not' only before atoms and equalities, derived predicates replaced by
+// their definitions where these are not recursive, constants folded.
 #pragma once
 
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "components/planner/domain.h"
@@ -10,8 +12,10 @@ namespace goalnet::planner {
 
 class Normaliser {
  public:
-  // `slots` are the variables' types; inlined definitions add more. `fixed` replaces some variables (case splits).
-  Normaliser(const Domain& domain, std::vector<TypeSet>& slots) : domain_(domain), slots_(slots) {}
+  // `slots` are the variables' types; inlined definitions add more. `fixed` replaces some variables (case
+  // splits). Once `stop` asks, what comes out means nothing.
+  Normaliser(const Domain& domain, std::vector<TypeSet>& slots, std::stop_token stop = {})
+      : domain_(domain), slots_(slots), stop_(std::move(stop)) {}
 
   void fix(std::int32_t slot, ObjectId object) { fixed_.push_back({slot, Term::object(object)}); }
   // Declares that the variable is none of these constants: equalities with them are false.
@@ -38,8 +42,12 @@ class Normaliser {
 
   const Domain& domain_;
   std::vector<TypeSet>& slots_;
+  std::stop_token stop_;
   std::vector<Replacement> fixed_;
   std::vector<Exclusion> excluded_;
 };
+
+// The alternatives of a formula: disjuncts at the top, multiplied out while they stay few.
+std::vector<Formula> alternatives(const Formula& formula, std::size_t most);
 
 }  // namespace goalnet::planner

@@ -13,9 +13,7 @@ bool simple_goal(const Domain& domain, const Formula& goal, std::vector<GoalLite
     const bool negative = part.kind == Formula::Kind::kNot;
     const Formula& atom = negative ? part.children[0] : part;
     if (atom.kind != Formula::Kind::kAtom) return false;
-    for (const DerivedPredicate& definition : domain.derived) {
-      if (definition.predicate == atom.atom.predicate) return false;
-    }
+    if (domain.is_derived(atom.atom.predicate)) return false;
     literals->push_back({&atom.atom, negative});
     return true;
   };

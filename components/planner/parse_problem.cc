@@ -9,8 +9,9 @@ constexpr std::int32_t kMostObjects = 4'000'000;
 
 class ProblemParser : public Parser {
  public:
-  ProblemParser(std::string_view text, std::string_view filename, const Domain& domain)
-      : Parser(text, filename), domain_(domain), problem_(domain) {}
+  ProblemParser(std::string_view text, std::string_view filename, const Domain& domain,
+                const std::stop_token& stop)
+      : Parser(text, filename, stop), domain_(domain), problem_(domain) {}
 
   Expected<Problem> parse() {
     if (!failed()) read();
@@ -41,7 +42,8 @@ class ProblemParser : public Parser {
         good = once(&seen_init, word) && init();
       } else if (is(word, ":goal")) {
         Scope scope{&problem_.goal_slots, nullptr, {}};
-        good = once(&seen_goal, word) && formula(domain_, &problem_, scope, 0, &problem_.goal) && expect_close(":goal");
+        good = once(&seen_goal, word) && formula(domain_, &problem_, scope, 0, &problem_.goal) &&
+               expect_close(":goal");
       } else if (is(word, ":metric")) {
         good = once(&seen_metric, word) && metric();
       } else if (is(word, ":length")) {  // a hint of old problem files
@@ -49,8 +51,9 @@ class ProblemParser : public Parser {
       } else if (is(word, ":constraints")) {
         return fail_at(word.offset, "trajectory constraints (:constraints) are not supported");
       } else {
-        return fail_at(word.offset, "unknown section " + quoted(word) +
-                                        did_you_mean(word.text, {":domain", ":objects", ":init", ":goal", ":metric"}));
+        return fail_at(word.offset,
+                       "unknown section " + quoted(word) +
+                           did_you_mean(word.text, {":domain", ":objects", ":init", ":goal", ":metric"}));
       }
       if (!good) return false;
     }
@@ -77,10 +80,13 @@ class ProblemParser : public Parser {
   }
 
   bool objects() {
-    std::vector<TypedName> names;
+    TypedNames names;
     if (!typed_list(domain_, false, "an object", &names) || !expect_close(":objects")) return false;
+    problem_.reserve_objects(names.size());
     for (const TypedName& entry : names) {
-      if (entry.types.size() > 1) return fail_at(entry.offset, "an object has one type; declare a type below both");
+      if (stop_asked()) return false;
+      if (entry.types.size() > 1)
+        return fail_at(entry.offset, "an object has one type; declare a type below both");
       const ObjectId known = problem_.find_object(entry.name);
       if (known != SymbolTable::kNone) {
         // Repeating a constant of the domain with the same type is common and harmless.
@@ -105,8 +111,8 @@ class ProblemParser : public Parser {
       }
       const bool negated = is(name, "not");
       if (negated && (!expect_open("a fact") || !expect_word("a predicate", &name))) return false;
-      if (is(name, "at") && peek().kind == Token::Kind::kWord && !peek().text.empty() && peek().text.front() >= '0' &&
-          peek().text.front() <= '9') {
+      if (is(name, "at") && peek().kind == Token::Kind::kWord && !peek().text.empty() &&
+          peek().text.front() >= '0' && peek().text.front() <= '9') {
         return fail_at(name.offset, "timed facts (:timed-initial-literals) are not supported");
       }
       PredicateId predicate = 0;
@@ -114,18 +120,16 @@ class ProblemParser : public Parser {
       arguments_.clear();
       if (!find_predicate(domain_, name, &predicate) ||
           !atom_arguments(domain_, &problem_, nothing, name,
-                          domain_.predicate_schemas[static_cast<std::size_t>(predicate)].parameters, &arguments_)) {
+                          domain_.predicate_schemas[static_cast<std::size_t>(predicate)].parameters,
+                          &arguments_)) {
         return false;
       }
       if (negated) {  // closed world: says nothing new
         if (!expect_close("'not'")) return false;
         continue;
       }
-      for (const DerivedPredicate& definition : domain_.derived) {
-        if (definition.predicate == predicate) {
-          return fail_at(name.offset, quoted(name) + " is derived; it cannot be given");
-        }
-      }
+      if (domain_.is_derived(predicate))
+        return fail_at(name.offset, quoted(name) + " is derived; it cannot be given");
       ids_.clear();
       for (const Term argument : arguments_) ids_.push_back(argument.value);
       problem_.initial.add(predicate, ids_.data(), ids_.size());
@@ -139,13 +143,14 @@ class ProblemParser : public Parser {
     if (!expect_open("a function") || !expect_word("a function", &name)) return false;
     const std::int32_t function = domain_.functions.find(name.text);
     if (function == SymbolTable::kNone) {
-      return fail_at(name.offset,
-                     "unknown function " + quoted(name) + did_you_mean(name.text, domain_.functions.names()));
+      return fail_at(name.offset, "unknown function " + quoted(name) +
+                                      did_you_mean(name.text, domain_.functions.first_names()));
     }
     arguments_.clear();
     const Scope nothing{&problem_.goal_slots, nullptr, {}};
     if (!atom_arguments(domain_, &problem_, nothing, name,
-                        domain_.function_schemas[static_cast<std::size_t>(function)].parameters, &arguments_) ||
+                        domain_.function_schemas[static_cast<std::size_t>(function)].parameters,
+                        &arguments_) ||
         !expect_word("a number", &number)) {
       return false;
     }
@@ -156,7 +161,8 @@ class ProblemParser : public Parser {
     std::int64_t amount = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), amount);
     if (code != std::errc{} || end != text.data() + text.size() || amount < 0 || amount > 1'000'000'000) {
-      return fail_at(number.offset, "a value must be a whole number from 0 to 1000000000, not " + quoted(number));
+      return fail_at(number.offset,
+                     "a value must be a whole number from 0 to 1000000000, not " + quoted(number));
     }
     ids_.clear();
     for (const Term argument : arguments_) ids_.push_back(argument.value);
@@ -183,8 +189,9 @@ class ProblemParser : public Parser {
     }
     if (!expect_open("(total-cost)") || !expect_word("total-cost", &word)) return false;
     if (!is(word, "total-cost") && !is(word, "total-time")) {
-      return fail_at(word.offset, "only (total-cost) can be minimised (numeric fluents are not supported), not " +
-                                      quoted(word));
+      return fail_at(
+          word.offset,
+          "only (total-cost) can be minimised (numeric fluents are not supported), not " + quoted(word));
     }
     problem_.minimise_cost = is(word, "total-cost");
     return expect_close("(total-cost)") && expect_close(":metric");
@@ -198,56 +205,15 @@ class ProblemParser : public Parser {
 
 }  // namespace
 
-const std::string& Problem::object_name(ObjectId id) const {
-  const std::int32_t constants = domain_->constants.size();
-  return id < constants ? domain_->constants.name(id) : objects_.name(id - constants);
+Expected<Problem> parse_problem(std::string_view text, std::string_view filename, const Domain& domain,
+                                const std::stop_token& stop) {
+  return ProblemParser(text, filename, domain, stop).parse();
 }
 
-ObjectId Problem::find_object(std::string_view object_name) const {
-  const ObjectId id = domain_->constants.find(object_name);
-  if (id != SymbolTable::kNone) return id;
-  const ObjectId own = objects_.find(object_name);
-  return own == SymbolTable::kNone ? own : own + domain_->constants.size();
-}
-
-std::vector<std::string> Problem::object_names() const {
-  std::vector<std::string> names;
-  for (ObjectId id = 0; id < object_count(); ++id) {
-    if (present(id)) names.push_back(object_name(id));
-  }
-  return names;
-}
-
-ObjectId Problem::add_object(std::string_view object_name, TypeId type) {
-  const ObjectId id = objects_.add(object_name) + domain_->constants.size();
-  if (id == object_count()) {
-    object_types_.push_back(type);
-    present_.push_back(1);
-  }
-  return id;
-}
-
-void Problem::restart() {
-  name.clear();
-  initial.clear();
-  cost_atoms.clear();
-  cost_values.clear();
-  goal = Formula{};
-  goal_slots.clear();
-  minimise_cost = false;
-  objects_.clear();
-  object_types_ = domain_->constant_types;
-  present_.assign(object_types_.size(), 1);
-}
-
-Expected<Problem> parse_problem(std::string_view text, std::string_view filename, const Domain& domain) {
-  return ProblemParser(text, filename, domain).parse();
-}
-
-Expected<Problem> load_problem(const std::string& path, const Domain& domain) {
-  const auto text = read_text_file(path);
+Expected<Problem> load_problem(const std::string& path, const Domain& domain, const std::stop_token& stop) {
+  const auto text = read_text_file(path, stop);
   if (!text) return tl::unexpected(text.error());
-  return parse_problem(*text, path, domain);
+  return parse_problem(*text, path, domain, stop);
 }
 
 }  // namespace goalnet::planner

@@ -1,10 +1,11 @@
-// What the parsers of domains and problems share: expecting tokens, names, typed lists and formulas. The first error
-// sticks; every function then returns false (or something empty) at once, so that callers need one check each.
-// Internal to the planner.
+// What the parsers of domains and problems share: expecting tokens, names, typed lists and formulas. The
+// first error sticks; every function then returns false (or something empty) at once, so that callers need
+// one check each. Internal to the planner.
 #pragma once
 
-#include <functional>
+#include <deque>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "components/planner/domain.h"
 #include "components/planner/lexer.h"
 #include "components/planner/problem.h"
+#include "components/planner/text_file.h"
 
 namespace goalnet::planner {
 
@@ -22,29 +24,35 @@ struct TypedName {
   std::size_t offset = 0;
   TypeSet types;
 };
+using TypedNames = std::deque<TypedName>;  // grows without moving what is there
 
 // The variables visible at one place of a formula, and where their types are collected.
 struct Scope {
   std::vector<TypeSet>* slots = nullptr;
-  std::vector<std::string>* slot_names = nullptr;       // may be null
+  std::vector<std::string>* slot_names = nullptr;                  // may be null
   std::vector<std::pair<std::string_view, std::int32_t>> visible;  // innermost last
 };
 
 class Parser {
  public:
-  static constexpr int kDeepest = 400;              // nesting of parentheses
-  static constexpr std::size_t kLargest = 256u << 20;  // [bytes] of text
+  static constexpr int kDeepest = 400;  // nesting of parentheses
 
-  Parser(std::string_view text, std::string_view filename);
+  // Everything fails with kCancelled soon after `stop` asks.
+  Parser(std::string_view text, std::string_view filename, const std::stop_token& stop);
 
  protected:
   bool failed() const { return error_.has_value(); }
   Error error() const { return *error_; }
   // Records the first error; returns false.
   bool fail_at(std::size_t offset, const std::string& message);
+  // For loops that read no tokens. True once it is time to stop; the parser has failed then.
+  bool stop_asked();
 
   const Token& peek() const { return lexer_.peek(); }
-  Token next() { return lexer_.next(); }
+  Token next() {
+    const Token token = lexer_.next();
+    return stop_asked() ? Token{Token::Kind::kEnd, {}, token.offset} : token;
+  }
   bool expect_open(const char* what);
   bool expect_close(const char* what);
   bool expect_word(const char* what, Token* word);
@@ -57,7 +65,7 @@ class Parser {
   bool skip_rest();
 
   // "a b - t c - (either t u)". `allow_types`: unknown types are added with parent object instead of refused.
-  bool typed_list(const Domain& domain, bool variables, const char* what, std::vector<TypedName>* result);
+  bool typed_list(const Domain& domain, bool variables, const char* what, TypedNames* result);
   bool type_name(const Domain& domain, TypeId* type);
 
   // A formula in NNF order as written: not, and, or, imply, forall, exists, =, atoms.
@@ -65,7 +73,8 @@ class Parser {
   // After "(" NAME has been read: the arguments up to ")". The schema is checked.
   bool atom_arguments(const Domain& domain, const Problem* problem, const Scope& scope, const Token& name,
                       const std::vector<TypeSet>& schema, TermList* arguments);
-  bool term(const Domain& domain, const Problem* problem, const Scope& scope, Term* result, std::size_t* offset);
+  bool term(const Domain& domain, const Problem* problem, const Scope& scope, Term* result,
+            std::size_t* offset);
   // Reads "(?x ?y - t)" and makes the variables visible.
   bool quantified(const Domain& domain, Scope& scope, std::vector<std::int32_t>* slots);
   bool find_predicate(const Domain& domain, const Token& name, PredicateId* predicate);
@@ -77,10 +86,8 @@ class Parser {
 
   Lexer lexer_;
   std::string filename_;
+  std::stop_token stop_;
   std::optional<Error> error_;
 };
-
-// "path" as text, or kInvalidRequest.
-Expected<std::string> read_text_file(const std::string& path);
 
 }  // namespace goalnet::planner

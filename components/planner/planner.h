@@ -1,7 +1,7 @@
 // The planner: finds a cheapest sequence of actions from a state to a goal, or says that there is none.
 //
-// Parse a domain once, make one Planner of it per thread, and ask it again and again: after the first calls it
-// hardly allocates. Nothing is shared between Planner objects.
+// Parse a domain once, make one Planner of it per thread, and ask it again and again: after the first calls
+// it hardly allocates. Nothing is shared between Planner objects.
 #pragma once
 
 #include <chrono>
@@ -20,8 +20,8 @@ namespace goalnet::planner {
 struct SolveOptions {
   // Zero: none. After it the best plan so far is returned (optimal = false), or kTimeLimit if there is none.
   std::chrono::nanoseconds time_limit{0};
-  // Once a plan is known, at most this long is spent in all on proving it optimal or finding a better one. Zero: up to
-  // time_limit.
+  // Once a plan is known, at most this long is spent in all on proving it optimal or finding a better one.
+  // Zero: up to time_limit.
   std::chrono::nanoseconds proof_limit{0};
   // States expanded by the optimal search before a satisficing one takes over. Zero: no limit. Unlike a time
   // limit it gives the same answer on every machine.
@@ -37,13 +37,14 @@ struct SolveOptions {
 // Not thread-safe: one per thread. The domain must outlive it.
 class Planner {
  public:
-  explicit Planner(const Domain& domain);
+  // Prepares the domain. Where `stop` asks meanwhile, every solve() answers kCancelled.
+  explicit Planner(const Domain& domain, const std::stop_token& stop = {});
   ~Planner();
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
 
-  // Errors: kNoPlan (there is none, or the goal contradicts itself), kTimeLimit, kCancelled, kInvalidRequest (the
-  // problem belongs to another domain).
+  // Errors: kNoPlan (there is none, or the goal contradicts itself), kTimeLimit, kCancelled, kInvalidRequest
+  // (the problem belongs to another domain).
   Expected<Plan> solve(const Problem& problem, const SolveOptions& options = {});
 
   // The same from facts. Errors besides: kUnknownObject, kInvalidRequest (see make_problem in world.h).

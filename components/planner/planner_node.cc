@@ -21,6 +21,8 @@ void PlannerNode::describe(ros::ParameterSet& set, Params& params) {
       .settable = ros::Settable::kAnyTime;
   set.number("time_limit", params.time_limit, "wall-clock time for one plan [s]; 0: no limit", 0.0, 1e6)
       .settable = ros::Settable::kAnyTime;
+  set.flag("lockstep", params.lockstep,
+           "search in the event loop, so that simulated time stands still; no thread of its own");
 }
 
 Expected<std::unique_ptr<PlannerNode>> PlannerNode::create(ros::Node& node) {
@@ -30,10 +32,17 @@ Expected<std::unique_ptr<PlannerNode>> PlannerNode::create(ros::Node& node) {
 PlannerNode::PlannerNode(ros::Node& node) : ManagedComponent(node) { describe(parameters_, params_); }
 
 Expected<void> PlannerNode::on_configure() {
-  auto domain = load_domain(config_file("domains", params_.domain, ".pddl"));
+  std::stop_token stop;
+  {
+    const std::lock_guard lock(stop_mutex_);
+    stop_ = std::stop_source();
+    stop = stop_.get_token();
+  }
+  auto domain = load_domain(config_file("domains", params_.domain, ".pddl"), stop);
   if (!domain) return tl::unexpected<Error>(std::move(domain.error()));
   domain_ = std::make_unique<const Domain>(std::move(*domain));
-  planner_.emplace(*domain_);
+  planner_.emplace(*domain_, stop);
+  if (stop.stop_requested()) return fail(Outcome::kCancelled, "preparing the domain was cancelled");
   return {};
 }
 
@@ -44,10 +53,10 @@ Expected<void> PlannerNode::on_activate() {
   world_state_ = node_.subscribe<goalnet_msgs::msg::WorldState>(
       "world_state", ros::Qos::latched(),
       [this](const goalnet_msgs::msg::WorldState& message) { on_world(message); });
-  // A search keeps the event loop busy: a cancel, or a newer goal, must reach it from outside.
-  newer_ = node_.subscribe<GoalPredicates>(
-      "goal_predicates", ros::Qos::standard(), [this](const GoalPredicates& message) { on_newer(message); },
-      {.immediate = true});
+  // In lockstep a search keeps the event loop busy: a cancel, or a newer goal, must reach it from outside.
+  newer_ = node_.subscribe<GoalPredicates>("goal_predicates", ros::Qos::standard(),
+                                           [this](const GoalPredicates& message) { on_newer(message); },
+                                           {.immediate = true});
   cancel_ = node_.subscribe<goalnet_msgs::msg::CancelInstruction>(
       "cancel_instruction", ros::Qos::standard(),
       [this](const goalnet_msgs::msg::CancelInstruction& message) { on_cancel(message); },
@@ -58,6 +67,7 @@ Expected<void> PlannerNode::on_activate() {
 Expected<void> PlannerNode::on_deactivate() {
   cancel_.reset();
   newer_.reset();
+  stop_searching();
   world_state_.reset();
   goal_.reset();
   plan_.reset();
@@ -70,6 +80,16 @@ Expected<void> PlannerNode::on_cleanup() {
   planner_.reset();
   domain_.reset();
   return {};
+}
+
+PlannerNode::~PlannerNode() { stop_searching(); }
+
+// Nobody is answered. Takes as long as a search needs to see that it is to stop: about a millisecond.
+void PlannerNode::stop_searching() {
+  interrupt();
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
+  search_.reset();
 }
 
 void PlannerNode::interrupt() {
@@ -100,42 +120,78 @@ void PlannerNode::on_world(const goalnet_msgs::msg::WorldState& message) {
   auto world = messages::from_message(message);
   if (!world) return node_.log().warn("world_state: {}", world.error().message);
   world_ = std::move(*world);
-  if (waiting_) answer(*std::exchange(waiting_, {}));
+  if (waiting_ && !search_) start(*std::exchange(waiting_, {}));
 }
 
 void PlannerNode::on_goal(const GoalPredicates& message) {
   if (message.complete() || message.outcome() != 0) return;  // nothing is asked for
-  if (world_) return answer(message);
-  node_.log().info("a goal waits for the first world state");
-  waiting_ = message;
+  if (world_ && !search_) return start(message);
+  if (!world_) node_.log().info("a goal waits for the first world state");
+  wait(message);
 }
 
-void PlannerNode::answer(const GoalPredicates& message) {
+// The newest goal waits; one that waited before has had its time.
+void PlannerNode::wait(const GoalPredicates& message) {
+  const auto before = std::exchange(waiting_, message);
+  // The same goal again is one question.
+  if (before && key_of(*before) != key_of(message))
+    finish({*before, fail(Outcome::kCancelled, "a newer goal has come")});
+}
+
+void PlannerNode::start(const GoalPredicates& message) {
+  auto search = std::make_shared<Search>(Search{message});
+  SolveOptions options;
+  options.node_limit = params_.node_limit;
+  options.time_limit = std::chrono::nanoseconds(static_cast<std::int64_t>(params_.time_limit * 1e9));
+  options.stop = note_current(message);
+  if (params_.lockstep) {
+    search->plan = plan_for(message, *world_, options);
+    return finish(*search);
+  }
+  search_ = search;
+  thread_ = std::jthread([this, search, options, world = *world_](const std::stop_token& end) mutable {
+    search->plan = plan_for(search->message, std::move(world), options);
+    // Whoever drops search_ wants no answer.
+    const auto done = [this, weak = std::weak_ptr<Search>(search)] {
+      const std::shared_ptr<Search> ended = weak.lock();
+      if (!ended || ended != search_) return;
+      search_.reset();
+      finish(*ended);
+      if (waiting_ && world_) start(*std::exchange(waiting_, {}));
+    };
+    while (!node_.loop().post(done) && !end.stop_requested())
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  });
+}
+
+// Notes what is planned for now. The token is stopped already where nobody wants the answer any more.
+std::stop_token PlannerNode::note_current(const GoalPredicates& message) {
+  const std::lock_guard lock(stop_mutex_);
+  stop_ = std::stop_source();
+  current_ = key_of(message);
+  instruction_ = message.instruction_id();
+  const bool cancelled = std::find(cancelled_.begin(), cancelled_.end(), instruction_) != cancelled_.end();
+  if ((instruction_ != 0 && cancelled) || (newest_ != GoalKey{} && newest_ != current_)) stop_.request_stop();
+  return stop_.get_token();
+}
+
+// Publishes the answer, unless it could be taken for the answer to a newer goal.
+void PlannerNode::finish(const Search& search) {
+  const GoalPredicates& message = search.message;
   goalnet_msgs::msg::Plan answer;
   answer.instruction_id(message.instruction_id());
   answer.step(message.step());
-  const auto goal = messages::goal_from_message(message);
-  {
-    const std::lock_guard lock(stop_mutex_);
-    stop_ = std::stop_source();
-    current_ = key_of(message);
-    instruction_ = message.instruction_id();
-    const bool cancelled = std::find(cancelled_.begin(), cancelled_.end(), instruction_) != cancelled_.end();
-    const bool superseded = newest_ != GoalKey{} && newest_ != key_of(message);
-    if ((instruction_ != 0 && cancelled) || superseded) stop_.request_stop();
-  }
-  const Expected<Plan> plan = goal ? plan_for(*goal) : Expected<Plan>(tl::unexpected<Error>(goal.error()));
-  if (plan) {
-    answer.actions(messages::to_message(plan->actions));
-    answer.optimal(plan->optimal);
+  if (search.plan) {
+    answer.actions(messages::to_message(search.plan->actions));
+    answer.optimal(search.plan->optimal);
   } else {
-    answer.outcome(static_cast<std::int32_t>(plan.error().outcome));
-    answer.message(plan.error().message);
+    answer.outcome(static_cast<std::int32_t>(search.plan.error().outcome));
+    answer.message(search.plan.error().message);
   }
   {
     const std::lock_guard lock(stop_mutex_);
     const bool superseded = newest_ != GoalKey{} && newest_ != key_of(message);
-    if (superseded && !plan && plan.error().outcome == Outcome::kCancelled) {
+    if (superseded && !search.plan && search.plan.error().outcome == Outcome::kCancelled) {
       const auto [instruction, step, sec, nanosec] = newest_;
       if (instruction == message.instruction_id() && step == message.step()) return;
       answer.message("a newer goal has come");
@@ -145,19 +201,15 @@ void PlannerNode::answer(const GoalPredicates& message) {
   plan_->publish(answer);
 }
 
-// A goal of visits is several goals, each planned from where the one before ends.
-Expected<Plan> PlannerNode::plan_for(const Goal& goal) {
-  SolveOptions options;
-  options.node_limit = params_.node_limit;
-  options.time_limit = std::chrono::nanoseconds(static_cast<std::int64_t>(params_.time_limit * 1e9));
-  {
-    const std::lock_guard lock(stop_mutex_);
-    options.stop = stop_.get_token();
-  }
-  WorldState state = *world_;
+// A goal of visits is several goals, each planned from where the one before ends. In whichever thread
+// searches.
+Expected<Plan> PlannerNode::plan_for(const GoalPredicates& message, WorldState state,
+                                     const SolveOptions& options) {
+  const auto goal = messages::goal_from_message(message);
+  if (!goal) return tl::unexpected<Error>(goal.error());
   Plan whole;
   whole.optimal = true;
-  for (const Goal& part : normalise_household_goal(goal)) {
+  for (const Goal& part : normalise_household_goal(*goal)) {
     auto plan = planner_->solve(state, part, options);
     if (!plan) return plan;
     for (Action& action : plan->actions) {

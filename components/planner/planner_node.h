@@ -2,13 +2,17 @@
 //
 // In:  goal_predicates (goalnet_msgs/GoalPredicates), world_state (goalnet_msgs/WorldState, latched),
 // cancel_instruction
-//      (goalnet_msgs/CancelInstruction: ends a search at once, also while the loop is busy with it).
+//      (goalnet_msgs/CancelInstruction: ends a search at once).
 // Out: plan (goalnet_msgs/Plan): one for every goal that is not complete, from the newest world state; with
 // an outcome
 //      other than 0 and a message where there is no plan.
 // A goal that comes before any world state waits for the first one. The same goal sent again is planned
-// again. A newer goal ends the search for the one before it, which is answered with "cancelled"; not where both are for
-// the same step of the same instruction, because that answer could be taken for the newer one's.
+// again. A newer goal ends the search for the one before it, which is answered with "cancelled"; not where
+// both are for the same step of the same instruction, because that answer could be taken for the newer one's.
+//
+// A search has a thread of its own, so that the event loop goes on: parameters, lifecycle, newer worlds and
+// goals. With the parameter lockstep it runs in the event loop instead, and simulated time stands still
+// meanwhile (docs/design/001); then a cancel, a newer goal and interrupt() reach it from outside.
 #pragma once
 
 #include <array>
@@ -17,6 +21,7 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -29,13 +34,15 @@
 
 namespace goalnet::planner {
 
-// Belongs to the thread of the node's event loop, but for interrupt().
+// Belongs to the thread of the node's event loop, but for interrupt(). While a search runs in its own thread,
+// planner_ belongs to that.
 class PlannerNode : public ros::ManagedComponent {
  public:
   struct Params {
     std::string domain = "household";
     std::int64_t node_limit = 100'000;  // states; deterministic
     double time_limit = 10.0;           // [s] of wall clock; a far safety net
+    bool lockstep = false;              // search in the event loop
   };
   static void describe(ros::ParameterSet& set, Params& params);
 
@@ -46,7 +53,13 @@ class PlannerNode : public ros::ManagedComponent {
   // From any thread: ends a search that runs, with kCancelled.
   void interrupt() override;
 
+  ~PlannerNode() override;
+
  private:
+  struct Search {
+    goalnet_msgs::msg::GoalPredicates message;  // that asked for it
+    Expected<Plan> plan = Plan{};               // once it is done
+  };
   explicit PlannerNode(ros::Node& node);
   Expected<void> on_configure() override;
   Expected<void> on_activate() override;
@@ -56,8 +69,13 @@ class PlannerNode : public ros::ManagedComponent {
   void on_newer(const goalnet_msgs::msg::GoalPredicates& message);
   void on_goal(const goalnet_msgs::msg::GoalPredicates& message);
   void on_world(const goalnet_msgs::msg::WorldState& message);
-  void answer(const goalnet_msgs::msg::GoalPredicates& message);
-  Expected<Plan> plan_for(const Goal& goal);
+  void wait(const goalnet_msgs::msg::GoalPredicates& message);
+  void start(const goalnet_msgs::msg::GoalPredicates& message);
+  std::stop_token note_current(const goalnet_msgs::msg::GoalPredicates& message);
+  Expected<Plan> plan_for(const goalnet_msgs::msg::GoalPredicates& message, WorldState state,
+                          const SolveOptions& options);
+  void finish(const Search& search);
+  void stop_searching();
 
   Params params_;
   // From configure on.
@@ -76,7 +94,9 @@ class PlannerNode : public ros::ManagedComponent {
   std::array<std::uint64_t, 8> cancelled_{};  // the last ones that nobody wants a plan for any more
   std::size_t next_cancelled_ = 0;
   std::optional<WorldState> world_;
-  std::optional<goalnet_msgs::msg::GoalPredicates> waiting_;
+  std::optional<goalnet_msgs::msg::GoalPredicates> waiting_;  // for a world, or for the search to end
+  std::shared_ptr<Search> search_;                            // that runs in thread_
+  std::jthread thread_;
   std::shared_ptr<ros::Publisher<goalnet_msgs::msg::Plan>> plan_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::GoalPredicates>> goal_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::GoalPredicates>> newer_;

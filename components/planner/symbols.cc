@@ -7,10 +7,10 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-std::size_t hash_ignoring_case(std::string_view name) {
+std::uint64_t hash_ignoring_case(std::string_view name) {
   std::uint64_t hash = 1469598103934665603ULL;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(lower(c))) * 1099511628211ULL;
-  return static_cast<std::size_t>(hash ^ (hash >> 29));
+  return hash ^ (hash >> 29);
 }
 
 std::size_t edit_distance(std::string_view left, std::string_view right) {
@@ -31,45 +31,38 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
 }  // namespace
 
 bool equal_ignoring_case(std::string_view left, std::string_view right) {
-  return left.size() == right.size() &&
-         std::equal(left.begin(), left.end(), right.begin(), [](char a, char b) { return lower(a) == lower(b); });
-}
-
-std::size_t SymbolTable::slot_of(std::string_view name) const {
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = hash_ignoring_case(name) & mask;
-  while (slots_[slot] != kNone && !equal_ignoring_case(names_[static_cast<std::size_t>(slots_[slot])], name)) {
-    slot = (slot + 1) & mask;
-  }
-  return slot;
-}
-
-void SymbolTable::grow() {
-  slots_.assign(std::max<std::size_t>(16, slots_.size() * 2), kNone);
-  for (std::size_t id = 0; id < names_.size(); ++id) slots_[slot_of(names_[id])] = static_cast<std::int32_t>(id);
+  return left.size() == right.size() && std::equal(left.begin(), left.end(), right.begin(),
+                                                   [](char a, char b) { return lower(a) == lower(b); });
 }
 
 std::int32_t SymbolTable::add(std::string_view name) {
-  if (2 * (names_.size() + 1) > slots_.size()) grow();
-  const std::size_t slot = slot_of(name);
-  if (slots_[slot] == kNone) {
-    slots_[slot] = size();
-    names_.emplace_back(name);
-  }
-  return slots_[slot];
+  const std::int32_t next = size();
+  const std::int32_t id = index_.find_or_add(
+      hash_ignoring_case(name), next,
+      [&](std::int32_t other) { return equal_ignoring_case(this->name(other), name); },
+      [this](std::int32_t other) { return hash_ignoring_case(this->name(other)); });
+  if (id == next) names_.emplace_back(name);
+  return id;
 }
 
 std::int32_t SymbolTable::find(std::string_view name) const {
-  return slots_.empty() ? kNone : slots_[slot_of(name)];
+  return index_.find(hash_ignoring_case(name),
+                     [&](std::int32_t id) { return equal_ignoring_case(this->name(id), name); });
+}
+
+std::vector<std::string> SymbolTable::first_names() const {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < names_.size() && i < kMostNames; ++i) result.push_back(names_[i]);
+  return result;
 }
 
 void SymbolTable::clear() {
   names_.clear();
-  std::fill(slots_.begin(), slots_.end(), kNone);
+  index_.clear();
 }
 
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& names) {
-  constexpr std::size_t kLongest = 64, kMostNames = 5000;  // bounds the work on hostile input
+  constexpr std::size_t kLongest = 64;  // with kMostNames bounds the work on hostile input
   if (wanted.empty() || wanted.size() > kLongest) return "";
   std::string_view best;
   std::size_t best_distance = wanted.size() / 2 + 1;

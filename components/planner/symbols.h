@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "components/planner/hash_index.h"
 
 namespace goalnet::planner {
 
@@ -20,21 +23,20 @@ class SymbolTable {
 
   const std::string& name(std::int32_t id) const { return names_[static_cast<std::size_t>(id)]; }
   std::int32_t size() const { return static_cast<std::int32_t>(names_.size()); }
-  const std::vector<std::string>& names() const { return names_; }
+  // The first of them, as many as did_you_mean() looks at.
+  std::vector<std::string> first_names() const;
   void clear();
 
  private:
-  std::size_t slot_of(std::string_view name) const;
-  void grow();
-
-  std::vector<std::string> names_;
-  std::vector<std::int32_t> slots_;  // open addressing, kNone = free; a power of two
+  std::deque<std::string> names_;  // grows without moving what is there
+  HashIndex index_;
 };
 
 bool equal_ignoring_case(std::string_view left, std::string_view right);
 
-// What a person most likely meant: the name with the smallest edit distance to `wanted`, or "" if none is near
-// (more than half of the letters differ).
+// What a person most likely meant: the name with the smallest edit distance to `wanted`, or "" if none is
+// near (more than half of the letters differ). Looks at the first kMostNames names.
+inline constexpr std::size_t kMostNames = 5000;
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& names);
 
 // " (did you mean X?)", or "".

@@ -110,7 +110,7 @@ Expected<Formula> goal_literal(const Problem& problem, const Predicate& fact) {
   const PredicateId predicate = domain.predicates.find(fact.relation);
   if (predicate == SymbolTable::kNone) {
     return fail(Outcome::kInvalidRequest, "goal " + to_string(fact) + ": unknown relation '" + fact.relation + "'" +
-                                              did_you_mean(fact.relation, domain.predicates.names()));
+                                              did_you_mean(fact.relation, domain.predicates.first_names()));
   }
   const auto& schema = domain.predicate_schemas[static_cast<std::size_t>(predicate)].parameters;
   const std::size_t count = fact.object.empty() ? 1 : 2;

@@ -52,7 +52,7 @@ ros::Arguments node_arguments(const LoopOptions& options, std::string_view compo
   const bool manipulation = component == "manipulation", world_model = component == "world_model";
   const bool visualization = component == "visualization";
   set("use_sim_time", true);  // the simulator's own diagnostics and log, too
-  if (simulator || executor) set("lockstep", true);
+  if (simulator || executor || component == "planner") set("lockstep", true);
   if (simulator || manipulation || world_model || visualization) set("scene", options.scene);
   if (simulator) set("seed", static_cast<std::int64_t>(options.seed));
   if ((simulator || executor || manipulation || world_model || visualization) && !options.robot.empty())

@@ -63,9 +63,9 @@ nlohmann::json to_json(const planner::Plan& plan) {
 }
 
 Expected<planner::Plan> make_plan(const Options& options, bool* with_costs) {
-  const auto domain = planner::load_domain(options.domain);
+  const auto domain = planner::load_domain(options.domain, interruption().get_token());
   if (!domain) return tl::unexpected(domain.error());
-  const auto problem = planner::load_problem(options.problem, *domain);
+  const auto problem = planner::load_problem(options.problem, *domain, interruption().get_token());
   if (!problem) return tl::unexpected(problem.error());
   *with_costs = problem->minimise_cost;
   planner::SolveOptions solve;

@@ -1,4 +1,5 @@
-// The planner as a node: a cancel reaches a search that keeps its event loop busy.
+// The planner as a node: it answers while it searches, and a cancel or a newer goal ends the search; in
+// lockstep, too, where the search keeps the event loop busy.
 #include "components/planner/planner_node.h"
 
 #include <gmock/gmock.h>
@@ -9,6 +10,10 @@
 #include <thread>
 
 #include "components/messages/conversions.h"
+#include "components/ros/service.h"
+#include "lifecycle_msgs/srv/ChangeState_service.h"
+#include "rcl_interfaces/srv/GetParameters_service.h"
+#include "rcl_interfaces/srv/SetParameters_service.h"
 
 namespace goalnet::planner {
 namespace {
@@ -52,7 +57,7 @@ WorldState puzzle() {
   return world;
 }
 
-class PlannerNodeTest : public testing::Test {
+class PlannerNodeTest : public testing::TestWithParam<bool> {
  protected:
   void SetUp() override {
     domain_file_ = std::filesystem::temp_directory_path() / ("puzzle_" + std::to_string(getpid()) + ".pddl");
@@ -63,10 +68,10 @@ class PlannerNodeTest : public testing::Test {
     ros::NodeOptions planner;
     planner.name = "planner";
     planner.arguments.console = false;
-    planner.arguments =
-        ros::parse_arguments({"--ros-args", "--disable-stdout-logs", "-p", "node_limit:=0", "-p",
-                              "time_limit:=60.0", "-p", "domain:=" + domain_file_.string()})
-            .value();
+    planner.arguments = ros::parse_arguments({"--ros-args", "--disable-stdout-logs", "-p", "node_limit:=0",
+                                              "-p", GetParam() ? "lockstep:=true" : "lockstep:=false", "-p",
+                                              "time_limit:=60.0", "-p", "domain:=" + domain_file_.string()})
+                            .value();
     node_ = ros::Node::create(*context_, planner_loop_, std::move(planner)).value();
     planner_ = PlannerNode::create(*node_).value();
     ros::NodeOptions tool;
@@ -84,7 +89,7 @@ class PlannerNodeTest : public testing::Test {
   }
   void TearDown() override {
     planner_loop_.stop();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
     planner_.reset();
     std::filesystem::remove(domain_file_);
   }
@@ -122,7 +127,7 @@ class PlannerNodeTest : public testing::Test {
   std::jthread thread_;
 };
 
-TEST_F(PlannerNodeTest, ACancelEndsTheSearchThatRuns) {
+TEST_P(PlannerNodeTest, ACancelEndsTheSearchThatRuns) {
   ask(7);
   EXPECT_LT(next_answer(500ms), 0.0) << "it searches";
   cancel(6);
@@ -135,7 +140,7 @@ TEST_F(PlannerNodeTest, ACancelEndsTheSearchThatRuns) {
   EXPECT_EQ(answers_.back().outcome(), 22) << answers_.back().message();
 }
 
-TEST_F(PlannerNodeTest, ANewerGoalEndsTheSearchThatRuns) {
+TEST_P(PlannerNodeTest, ANewerGoalEndsTheSearchThatRuns) {
   ask(7);
   EXPECT_LT(next_answer(300ms), 0.0) << "it searches";
   ask(8);
@@ -151,7 +156,7 @@ TEST_F(PlannerNodeTest, ANewerGoalEndsTheSearchThatRuns) {
   EXPECT_EQ(answers_.back().instruction_id(), 8u);
 }
 
-TEST_F(PlannerNodeTest, ACancelAlsoMeansGoalsThatWait) {
+TEST_P(PlannerNodeTest, ACancelAlsoMeansGoalsThatWait) {
   ask(7);
   ask(8);
   cancel(8);
@@ -164,7 +169,7 @@ TEST_F(PlannerNodeTest, ACancelAlsoMeansGoalsThatWait) {
   for (const auto& answer : answers_) EXPECT_EQ(answer.outcome(), 22) << answer.instruction_id();
 }
 
-TEST_F(PlannerNodeTest, InterruptEndsItFromAnyThread) {
+TEST_P(PlannerNodeTest, InterruptEndsItFromAnyThread) {
   ask(1);
   EXPECT_LT(next_answer(200ms), 0.0);
   planner_->interrupt();
@@ -172,6 +177,88 @@ TEST_F(PlannerNodeTest, InterruptEndsItFromAnyThread) {
   EXPECT_GE(seconds, 0.0);
   EXPECT_LT(seconds, 0.1);
 }
+
+TEST_P(PlannerNodeTest, OnlyTheNewestOfManyGoalsIsSearchedFor) {
+  for (std::uint64_t id = 1; id <= 5; ++id) ask(id);
+  ASSERT_TRUE(loop_.run_for(10s, [&] { return answers_.size() == 4; }));
+  EXPECT_LT(next_answer(200ms), 0.0) << "it searches for the last";
+  cancel(5);
+  ASSERT_GE(next_answer(10s), 0.0);
+  std::vector<std::uint64_t> ids;
+  for (const auto& answer : answers_) {
+    ids.push_back(answer.instruction_id());
+    EXPECT_EQ(answer.outcome(), 22) << answer.instruction_id();
+  }
+  std::sort(ids.begin(), ids.end());
+  EXPECT_THAT(ids, testing::ElementsAre(1, 2, 3, 4, 5)) << "everybody is answered once";
+}
+
+INSTANTIATE_TEST_SUITE_P(Search, PlannerNodeTest, testing::Bool(),
+                         [](const auto& chosen) { return chosen.param ? "InTheLoop" : "InItsThread"; });
+
+// A search has its own thread: the event loop goes on meanwhile.
+class SearchThread : public PlannerNodeTest {};
+
+TEST_P(SearchThread, ParametersAreAnsweredMeanwhile) {
+  ros::Client<rcl_interfaces::srv::GetParameters> get(*tool_, "/planner/get_parameters");
+  ros::Client<rcl_interfaces::srv::SetParameters> set(*tool_, "/planner/set_parameters");
+  ASSERT_TRUE(get.wait_for_service());
+  ASSERT_TRUE(set.wait_for_service());
+  ask(1);
+  EXPECT_LT(next_answer(200ms), 0.0) << "it searches";
+  rcl_interfaces::srv::SetParameters::Request change;
+  change.parameters().resize(1);
+  change.parameters()[0].name("node_limit");
+  change.parameters()[0].value().type(2);
+  change.parameters()[0].value().integer_value(77);
+  const auto changed = set.call_and_run(change, 5s);
+  ASSERT_TRUE(changed) << changed.error().message;
+  ASSERT_EQ(changed->results().size(), 1u);
+  EXPECT_TRUE(changed->results()[0].successful()) << changed->results()[0].reason();
+  rcl_interfaces::srv::GetParameters::Request request;
+  request.names({"node_limit"});
+  const auto response = get.call_and_run(request, 5s);
+  ASSERT_TRUE(response) << response.error().message;
+  EXPECT_EQ(response->values().at(0).integer_value(), 77);
+  EXPECT_TRUE(answers_.empty()) << "and it still searches";
+  cancel(1);
+  EXPECT_GE(next_answer(10s), 0.0);
+}
+
+TEST_P(SearchThread, DeactivateEndsTheSearchAndActivateBeginsAfresh) {
+  ros::Client<lifecycle_msgs::srv::ChangeState> change(*tool_, "/planner/change_state");
+  ASSERT_TRUE(change.wait_for_service());
+  const auto ask_for = [&](const char* label) {
+    lifecycle_msgs::srv::ChangeState::Request request;
+    request.transition().label(label);
+    const auto response = change.call_and_run(request, 5s);
+    return response && response->success();
+  };
+  ask(1);
+  EXPECT_LT(next_answer(200ms), 0.0) << "it searches";
+  EXPECT_TRUE(ask_for("deactivate"));
+  EXPECT_LT(next_answer(300ms), 0.0) << "it fell silent";
+  EXPECT_TRUE(ask_for("activate"));
+  ASSERT_TRUE(goal_->wait_for_subscribers(2));
+  ask(2);
+  EXPECT_LT(next_answer(300ms), 0.0) << "it searches again";
+  cancel(2);
+  ASSERT_GE(next_answer(10s), 0.0);
+  EXPECT_EQ(answers_.back().instruction_id(), 2u);
+}
+
+TEST_P(SearchThread, AGoneNodeLeavesNoSearch) {
+  ask(1);
+  EXPECT_LT(next_answer(200ms), 0.0) << "it searches";
+  planner_loop_.stop();
+  thread_.join();
+  const auto start = std::chrono::steady_clock::now();
+  planner_.reset();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 2s);
+  EXPECT_TRUE(answers_.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Search, SearchThread, testing::Values(false));
 
 }  // namespace
 }  // namespace goalnet::planner

@@ -1,0 +1,137 @@
+// From hashes to numbers 0, 1, 2, ... whose keys somebody else keeps. Adding never takes long, however many
+// there are: the table is cut into pieces by the first bits of the hash, and a piece that is full is split in
+// two (extendible hashing, Fagin et al. 1979), so that who adds can be stopped at any time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace goalnet::planner {
+
+class HashIndex {
+ public:
+  static constexpr std::int32_t kNone = -1;
+
+  // Forgets all; a small index keeps its memory, so that a reused one stops allocating.
+  void clear() {
+    used_ = 0;
+    if (bits_ != 0) {
+      pieces_.resize(1);
+      pieces_[0] = {};
+      directory_.clear();
+      bits_ = 0;
+    }
+    if (pieces_.empty()) return;
+    pieces_[0].used = 0;
+    if (++generation_ == 0) {  // wrapped: stale slots could look fresh
+      pieces_[0].slots.assign(pieces_[0].slots.size(), Slot{});
+      generation_ = 1;
+    }
+  }
+
+  // The number with this hash that `same` accepts, or kNone.
+  template <class Same>
+  std::int32_t find(std::uint64_t hash, const Same& same) const {
+    if (used_ == 0) return kNone;
+    const Piece& piece = pieces_[place(hash)];
+    const std::size_t mask = piece.slots.size() - 1;
+    for (std::size_t at = hash & mask;; at = (at + 1) & mask) {
+      const Slot slot = piece.slots[at];
+      if (slot.generation != generation_) return kNone;
+      if (same(slot.number)) return slot.number;
+    }
+  }
+
+  // The same, adding the number `next` (the caller's count so far) if there is none. `hash_of` gives the
+  // hashes of numbers added before.
+  template <class Same, class HashOf>
+  std::int32_t find_or_add(std::uint64_t hash, std::int32_t next, const Same& same, const HashOf& hash_of) {
+    if (pieces_.empty()) pieces_.emplace_back();
+    while (2 * (pieces_[place(hash)].used + 1) > pieces_[place(hash)].slots.size())
+      make_room(place(hash), hash_of);
+    Piece& piece = pieces_[place(hash)];
+    const std::size_t mask = piece.slots.size() - 1;
+    std::size_t at = hash & mask;
+    for (; piece.slots[at].generation == generation_; at = (at + 1) & mask) {
+      if (same(piece.slots[at].number)) return piece.slots[at].number;
+    }
+    piece.slots[at] = {generation_, next};
+    ++piece.used;
+    ++used_;
+    return next;
+  }
+
+ private:
+  struct Slot {
+    std::uint32_t generation = 0;  // free unless it is the index's
+    std::int32_t number = kNone;
+  };
+  struct Piece {
+    std::vector<Slot> slots;  // open addressing; a power of two
+    std::size_t used = 0;
+    unsigned bits = 0;  // of the hash that all in here share
+  };
+  static constexpr std::size_t kFewestSlots = 64, kMostSlots = std::size_t{1} << 14;
+  static constexpr unsigned kMostBits = 20;
+
+  std::size_t place(std::uint64_t hash) const { return bits_ == 0 ? 0 : directory_[hash >> (64 - bits_)]; }
+
+  template <class HashOf>
+  void make_room(std::size_t at, const HashOf& hash_of) {
+    const std::size_t slots = pieces_[at].slots.size();
+    if (slots < kMostSlots || pieces_[at].bits == kMostBits) {
+      const std::vector<Slot> old = std::exchange(pieces_[at].slots, {});
+      pieces_[at].slots.assign(slots == 0 ? kFewestSlots : 2 * slots, Slot{});
+      for (const Slot slot : old) {
+        if (slot.generation == generation_) put(pieces_[at], slot, hash_of(slot.number));
+      }
+      return;
+    }
+    if (pieces_[at].bits == bits_) {  // one more bit of the hash: every entry of the directory twice
+      std::vector<std::uint32_t> twice;
+      twice.reserve(std::size_t{2} << bits_);
+      for (std::size_t i = 0; i < std::size_t{1} << bits_; ++i) {
+        const std::uint32_t piece = bits_ == 0 ? 0 : directory_[i];
+        twice.push_back(piece);
+        twice.push_back(piece);
+      }
+      directory_ = std::move(twice);
+      ++bits_;
+    }
+    const Piece old = std::exchange(pieces_[at], Piece{});
+    const auto other = static_cast<std::uint32_t>(pieces_.size());
+    pieces_.emplace_back();
+    const unsigned bits = old.bits + 1;
+    for (const std::size_t piece : {at, static_cast<std::size_t>(other)}) {
+      pieces_[piece].bits = bits;
+      pieces_[piece].slots.assign(kMostSlots, Slot{});
+    }
+    for (std::size_t i = 0; i < directory_.size(); ++i) {
+      if (directory_[i] == at && ((i >> (bits_ - bits)) & 1) != 0) directory_[i] = other;
+    }
+    for (const Slot slot : old.slots) {
+      if (slot.generation != generation_) continue;
+      const std::uint64_t hash = hash_of(slot.number);
+      Piece& piece = pieces_[place(hash)];
+      put(piece, slot, hash);
+      ++piece.used;
+    }
+  }
+  void put(Piece& piece, Slot slot, std::uint64_t hash) {
+    const std::size_t mask = piece.slots.size() - 1;
+    std::size_t at = hash & mask;
+    while (piece.slots[at].generation == generation_) at = (at + 1) & mask;
+    piece.slots[at] = slot;
+  }
+
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t>
+      directory_;  // by the first bits_ bits of the hash; empty while there is one piece
+  unsigned bits_ = 0;
+  std::size_t used_ = 0;
+  std::uint32_t generation_ = 1;
+};
+
+}  // namespace goalnet::planner

@@ -1,0 +1,18 @@
+// Reads files. Internal to the planner.
+#pragma once
+
+#include <cstddef>
+#include <stop_token>
+#include <string>
+
+#include "components/core/outcome.h"
+
+namespace goalnet::planner {
+
+inline constexpr std::size_t kLargestText = 256u << 20;  // [bytes] that a parser takes
+
+// "path" as text, at most one piece longer than a parser takes; or kInvalidRequest, or kCancelled soon after
+// `stop` asks.
+Expected<std::string> read_text_file(const std::string& path, const std::stop_token& stop);
+
+}  // namespace goalnet::planner
