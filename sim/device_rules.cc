@@ -9,7 +9,7 @@ namespace goalnet::sim {
 namespace {
 
 // Which clock: kind of rule, its index, and the objects concerned.
-enum class Clock : std::uint64_t { kFill = 1, kRegion, kContact, kSpill };
+enum class Clock : std::uint64_t { kFill = 1, kRegion, kContact, kSpill, kTear };
 std::uint64_t clock_key(Clock kind, std::size_t rule, std::size_t i, std::size_t j = 0) {
   return (static_cast<std::uint64_t>(kind) << 56) | (rule << 40) | (i << 20) | j;
 }
@@ -74,6 +74,7 @@ void DeviceRules::update(const DeviceInput& input, double dt) {
   update_fills(input, dt);
   update_regions(input, dt);
   update_contacts(input, dt);
+  update_tears(input, dt);
   update_spills(input, dt);
 }
 
@@ -85,17 +86,36 @@ void DeviceRules::update_joint_facts(const DeviceInput& input) {
   }
 }
 
+DeviceRules::Button DeviceRules::state_of(const scene::ButtonRule& rule, const DeviceInput& input) const {
+  constexpr double kPress = 0.5;  // [N] a rubber key
+  if (rule.object.empty()) {
+    const double q = input.joint(rule.joint);
+    if (q >= rule.pressed_above) return Button::kPressed;
+    return q <= rule.released_below ? Button::kReleased : Button::kBetween;
+  }
+  for (const Touch& touch : input.touches) {
+    if (scene_->objects[touch.object].name != rule.object || touch.force < kPress) continue;
+    const double off = (touch.point - rule.at).norm();
+    const bool nearest = std::none_of(
+        scene_->rules.buttons.begin(), scene_->rules.buttons.end(), [&](const scene::ButtonRule& other) {
+          return other.object == rule.object && (touch.point - other.at).norm() < off;
+        });
+    return nearest && off < rule.radius ? Button::kPressed : Button::kBetween;
+  }
+  return Button::kReleased;
+}
+
 void DeviceRules::update_buttons(const DeviceInput& input) {
   std::set<std::string> pressed;
   for (const auto& rule : scene_->rules.buttons) {
-    const double q = input.joint(rule.joint);
-    auto armed = armed_.try_emplace(rule.joint, q <= rule.released_below).first;
-    if (q <= rule.released_below) armed->second = true;
-    if (q < rule.pressed_above || !armed->second) continue;
-    pressed.insert(rule.joint);  // several rules may share a button: all act on one press
+    const Button now = state_of(rule, input);
+    auto armed = armed_.try_emplace(rule.name, now == Button::kReleased).first;
+    if (now == Button::kReleased) armed->second = true;
+    if (now != Button::kPressed || !armed->second) continue;
+    pressed.insert(rule.name);  // several rules may share a button: all act on one press
     if (holds(rule.when, rule.unless)) press(rule);
   }
-  for (const auto& joint : pressed) armed_[joint] = false;
+  for (const auto& name : pressed) armed_[name] = false;
 }
 
 void DeviceRules::press(const scene::ButtonRule& rule) {
@@ -220,6 +240,18 @@ void DeviceRules::update_contacts(const DeviceInput& input, double dt) {
         if (!elapsed(clock_key(Clock::kContact, r, i, j), active, rules[r].after, dt)) continue;
         transfer(rules[r], objects[i].name, objects[j].name);
       }
+    }
+  }
+}
+
+void DeviceRules::update_tears(const DeviceInput& input, double dt) {
+  for (std::size_t r = 0; r < scene_->rules.tears.size(); ++r) {
+    const scene::TearRule& rule = scene_->rules.tears[r];
+    for (std::size_t i = 0; i < scene_->objects.size(); ++i) {
+      if (scene_->objects[i].name != rule.object) continue;
+      const bool pulled = i < input.hands.size() && input.hands[i] >= 2;
+      if (!elapsed(clock_key(Clock::kTear, r, i), pulled, rule.after, dt)) continue;
+      for (const auto& value : rule.gives) set(rule.object, value, true);
     }
   }
 }

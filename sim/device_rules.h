@@ -13,11 +13,20 @@
 
 namespace goalnet::sim {
 
+// A finger on a movable thing.
+struct Touch {
+  std::size_t object = 0;                           // in Scene::objects
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // [m] middle of the contact, in the object's frame
+  double force = 0;                                 // [N]
+};
+
 // What the rules look at, once per evaluation.
 struct DeviceInput {
   std::function<double(const std::string& joint)> joint;  // fixture joint positions [rad or m]
   std::vector<scene::Pose> objects;                       // in the order of Scene::objects, map frame
   std::vector<bool> held;                                 // in a gripper
+  std::vector<Touch> touches;                             // of fingers; at most one for each object
+  std::vector<int> hands;                                 // how many grippers press it between their pads
 };
 
 class DeviceRules {
@@ -44,6 +53,7 @@ class DeviceRules {
   void update_fills(const DeviceInput& input, double dt);
   void update_regions(const DeviceInput& input, double dt);
   void update_contacts(const DeviceInput& input, double dt);
+  void update_tears(const DeviceInput& input, double dt);
   void update_spills(const DeviceInput& input, double dt);
   bool gives(const scene::ContactRule& rule, const DeviceInput& input, std::size_t giver) const;
   // Whether what is given gets into the receiver; `point`: of the giver, that must lie in the hollow.
@@ -53,7 +63,10 @@ class DeviceRules {
 
   const scene::Scene* scene_;
   FactSet facts_;
-  std::map<std::string, bool> armed_;       // buttons, by joint: released since the last press
+  // Where a button is: pressed, let go, or between.
+  enum class Button { kReleased, kBetween, kPressed };
+  Button state_of(const scene::ButtonRule& rule, const DeviceInput& input) const;
+  std::map<std::string, bool> armed_;       // buttons, by joint or spot: released since the last press
   std::map<std::uint64_t, double> clocks_;  // seconds a rule has been active, by key; negative: done
   std::set<std::string> dead_;
 };

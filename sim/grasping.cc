@@ -170,16 +170,25 @@ void Grasping::update(double dt) {
       continue;
     }
     const int object = presses(hand) ? enclosed(hand) : -1;
-    const bool same = object >= 0 && object == hand.candidate && !holds(static_cast<std::size_t>(object));
-    hand.enclosed_for = same ? hand.enclosed_for + dt : 0.0;
+    hand.enclosed_for = object >= 0 && object == hand.candidate ? hand.enclosed_for + dt : 0.0;
     hand.candidate = object;
-    if (hand.enclosed_for >= options_.grasp_time) take(hand, object);
+    // What another hand holds stays there; both may press it.
+    if (hand.enclosed_for >= options_.grasp_time && !holds(static_cast<std::size_t>(object)))
+      take(hand, object);
   }
 }
 
 bool Grasping::holds(std::size_t object) const {
   return std::any_of(hands_.begin(), hands_.end(),
                      [&](const Hand& hand) { return hand.object == static_cast<int>(object); });
+}
+
+int Grasping::hands_on(std::size_t object) const {
+  const int wanted = static_cast<int>(object);
+  return static_cast<int>(std::count_if(hands_.begin(), hands_.end(), [&](const Hand& hand) {
+    return hand.object == wanted ||
+           (hand.object < 0 && hand.candidate == wanted && hand.enclosed_for >= options_.grasp_time);
+  }));
 }
 
 void Grasping::drop(std::size_t i) { release(hands_[i]); }

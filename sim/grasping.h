@@ -32,6 +32,8 @@ class Grasping {
   double force(std::size_t i) const { return hands_[i].force; }
   void drop(std::size_t i);
   bool holds(std::size_t object) const;
+  // How many hands hold the object or press it between their pads, as for a grasp.
+  int hands_on(std::size_t object) const;
 
  private:
   struct Hand {

@@ -10,6 +10,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include "sim/articulated_body.h"
+#include "sim/contact_islands.h"
 #include "sim/world_options.h"
 
 namespace goalnet::sim {
@@ -50,7 +51,7 @@ class Physics {
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   btMultiBodyConstraintSolver solver_;
-  btMultiBodyDynamicsWorld world_;
+  ContactIslandWorld world_;
   std::vector<StaticBody> statics_;
   std::vector<std::string> names_;                          // by the user index of collision objects
   std::vector<std::vector<std::array<double, 3>>> colors_;  // same

@@ -92,6 +92,12 @@ struct World::Parts {
           &robot.body(), static_cast<int>(i), limits.lower - slack, limits.upper + slack));
       physics.world().addMultiBodyConstraint(stops.back().get());
     }
+    for (const auto& arm : robot_model.arms) {
+      for (const auto& finger : arm.gripper.fingers)
+        fingers.push_back(static_cast<std::size_t>(robot_model.index_of(finger)));
+    }
+    has_spots = std::any_of(scene.rules.buttons.begin(), scene.rules.buttons.end(),
+                            [](const auto& rule) { return !rule.object.empty(); });
     rules_every = std::max(1L, std::lround(kRulePeriod / options.physics_step));
   }
   ~Parts() {
@@ -108,8 +114,43 @@ struct World::Parts {
     for (std::size_t i = 0; i < movables.count(); ++i) {
       input.objects.push_back(movables.pose(i));
       input.held.push_back(grasping.holds(i));
+      input.hands.push_back(grasping.hands_on(i));
     }
+    if (has_spots) input.touches = finger_touches();
     rules.update(input, dt);
+  }
+
+  // Where fingers press movable things, in those things' frames.
+  std::vector<Touch> finger_touches() {
+    std::vector<Touch> touches;
+    btDispatcher* dispatcher = physics.world().getDispatcher();
+    for (int m = 0; m < dispatcher->getNumManifolds(); ++m) {
+      const btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(m);
+      if (manifold->getNumContacts() == 0) continue;
+      const bool first = is_finger(manifold->getBody0());
+      if (!first && !is_finger(manifold->getBody1())) continue;
+      const int object = movables.find(first ? manifold->getBody1() : manifold->getBody0());
+      if (object < 0) continue;
+      const std::size_t index = static_cast<std::size_t>(object);
+      auto touch =
+          std::find_if(touches.begin(), touches.end(), [&](const Touch& t) { return t.object == index; });
+      if (touch == touches.end())
+        touch = touches.insert(touches.end(), Touch{index, Eigen::Vector3d::Zero(), 0.0});
+      for (int c = 0; c < manifold->getNumContacts(); ++c) {
+        const btManifoldPoint& point = manifold->getContactPoint(c);
+        const double force = point.getAppliedImpulse() / options.physics_step;
+        touch->point += force * from_bullet(point.getPositionWorldOnB());
+        touch->force += force;
+      }
+    }
+    std::erase_if(touches, [](const Touch& touch) { return touch.force <= 0.0; });
+    for (Touch& touch : touches)
+      touch.point = movables.pose(touch.object).inverse() * (touch.point / touch.force);
+    return touches;
+  }
+  bool is_finger(const btCollisionObject* object) {
+    return std::any_of(fingers.begin(), fingers.end(),
+                       [&](std::size_t joint) { return robot.collider(joint) == object; });
   }
 
   const scene::Scene scene;
@@ -124,6 +165,8 @@ struct World::Parts {
   Grasping grasping;
   std::vector<std::unique_ptr<btMultiBodyJointLimitConstraint>> stops;
   DeviceRules rules;
+  std::vector<std::size_t> fingers;  // joints, and links of the same index
+  bool has_spots = false;            // some movable thing has buttons
   long steps = 0;
   long rules_every = 1;
 };

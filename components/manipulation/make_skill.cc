@@ -12,7 +12,7 @@ const char* const kSpoon = "Spoon_1";
 bool known(const Workbench& bench, const std::string& name) {
   const auto& scene = bench.scene();
   return scene.find_object(name) || scene.find_fixture(name) || scene.find_part(name) ||
-         !regions_of(scene, name).empty();
+         scene.rules.find_spot(name) != nullptr || !regions_of(scene, name).empty();
 }
 
 Expected<void> need_part(const Workbench& bench, const std::string& name,
@@ -30,7 +30,7 @@ const std::vector<std::pair<std::string, std::size_t>>& skill_names() {
       {"keep-on", 2},       {"keep-in", 2},  {"open", 1},      {"close", 1}, {"turn-on", 1},
       {"turn-off", 1},      {"press-on", 1}, {"press-off", 1}, {"press", 1}, {"pour", 2},
       {"pour-out", 1},      {"squeeze", 2},  {"add", 2},       {"scoop", 2}, {"insert", 2},
-      {"place-utensil", 2},
+      {"place-utensil", 2}, {"fill", 2},
   };
   return kNames;
 }
@@ -71,6 +71,11 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
   };
   using Result = Expected<std::unique_ptr<Skill>>;
   if (name == "moveto") return Result(std::make_unique<MoveSkill>(x));
+  if (const auto& tears = bench.scene().rules.tears;
+      name == "open" &&
+      std::any_of(tears.begin(), tears.end(), [&](const auto& rule) { return rule.object == x; })) {
+    return Result(std::make_unique<TearSkill>(x));
+  }
   if (name == "turn-on" || name == "turn-off" || name == "open" || name == "close") {
     const bool knob = name.starts_with("turn");
     if (auto ok = need_part(bench, x, {knob ? scene::PartUse::kKnob : scene::PartUse::kDoor}); !ok) {
@@ -79,7 +84,7 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
     return Result(std::make_unique<TurnSkill>(x, name == "turn-on" || name == "open"));
   }
   if (name.starts_with("press")) {
-    if (auto ok = need_part(bench, x, {scene::PartUse::kButton}); !ok)
+    if (auto ok = need_part(bench, x, {scene::PartUse::kButton}); !ok && !bench.scene().rules.find_spot(x))
       return tl::unexpected<Error>(ok.error());
     return Result(std::make_unique<PressSkill>(x));
   }
@@ -109,6 +114,13 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
                   "'" + to_string(action) + "': '" + x + "' has no opening to pour from");
     }
     return Result(std::make_unique<GestureSkill>(action, kind, x, receiver));
+  }
+  if (name == "fill") {
+    for (const auto& outlet : bench.scene().rules.fills) {
+      if (outlet.fixture == action.arguments[1] && model->cavity && model->cavity->liquid)
+        return Result(std::make_unique<FillSkill>(x, outlet));
+    }
+    return fail(Outcome::kInvalidRequest, "'" + to_string(action) + "': nothing runs there into '" + x + "'");
   }
   if (name == "grasp" || name == "unstow") return Result(std::make_unique<GraspSkill>(x));
   if (name == "release") return Result(std::make_unique<PlaceSkill>(x, Where::kNearest, ""));

@@ -152,4 +152,30 @@ std::vector<Reach> press_reaches(Workbench& bench, const scene::Scene::PartRef& 
   return out;
 }
 
+std::vector<Reach> spot_reaches(Workbench& bench, const scene::ButtonRule& spot) {
+  constexpr double kDeep = 0.001;  // [m] into the surface: felt, and gentle
+  std::vector<Reach> out;
+  const Pose* thing = bench.world().object(spot.object);
+  if (thing == nullptr) return out;
+  for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
+    if (bench.held()[arm]) continue;
+    const double tip = bench.model().arms[arm].gripper.tip;
+    for (int turn = 0; turn < 12; ++turn) {
+      Pose tool = *thing;
+      tool.linear() = thing->linear() * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()) *
+                      Eigen::AngleAxisd(turn * std::numbers::pi / 6, Eigen::Vector3d::UnitZ());
+      tool.translation() = *thing * spot.at;
+      Reach reach;
+      reach.arm = arm;
+      reach.tool = {backed(tool, tip + 0.07), backed(tool, tip - kDeep)};
+      reach.tolerances.allow_all(bench.checker().hand_parts(arm), bench.checker().body(spot.object));
+      reach.opening = 0.0;
+      reach.preference = 0.05 * turn;
+      reach.tag = arm * 100 + static_cast<std::size_t>(turn);
+      out.push_back(std::move(reach));
+    }
+  }
+  return out;
+}
+
 }  // namespace goalnet::manipulation

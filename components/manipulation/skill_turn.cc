@@ -151,7 +151,10 @@ Expected<Phases> TurnSkill::attempt(Workbench& bench, int number) {
 
 Expected<Phases> PressSkill::attempt(Workbench& bench, int) {
   const auto ref = bench.scene().find_part(button_);
-  auto reaches = press_reaches(bench, ref);
+  const auto* spot = bench.scene().rules.find_spot(button_);
+  if (spot != nullptr && bench.world().object(spot->object) == nullptr)
+    return fail(Outcome::kMotionFailed, "press " + button_ + ": " + spot->object + " cannot be seen");
+  auto reaches = spot != nullptr ? spot_reaches(bench, *spot) : press_reaches(bench, ref);
   if (reaches.empty())
     return fail(Outcome::kMotionFailed, "press " + button_ + ": no empty hand; put something down first");
   std::erase_if(reaches, [&](const Reach& r) { return failed_.contains(r.tag); });
@@ -163,13 +166,15 @@ Expected<Phases> PressSkill::attempt(Workbench& bench, int) {
   add_back_off(phases, bench);
   add_go_to(phases, bench, *solution);
   add_approach(phases, *solution, reach);
-  Phase push = straight("press", reach.arm, {reach.tool[1]}, reach.tolerances, 0.5);
+  Phase push = straight("press", reach.arm, {reach.tool[1]}, reach.tolerances, spot != nullptr ? 0.25 : 0.5);
   push.settle = 0.1;
-  push.check = [joint = ref.part->joint.name, on = ref.part->on_position,
-                button = button_](Workbench& b) -> Expected<void> {
-    if (b.world().joint(joint) < 0.6 * on) return fail(Outcome::kMotionFailed, button + " did not go down");
-    return {};
-  };
+  if (spot == nullptr) {
+    push.check = [joint = ref.part->joint.name, on = ref.part->on_position,
+                  button = button_](Workbench& b) -> Expected<void> {
+      if (b.world().joint(joint) < 0.6 * on) return fail(Outcome::kMotionFailed, button + " did not go down");
+      return {};
+    };
+  }
   phases.push_back(push);
   phases.push_back(straight("retreat", reach.arm, {reach.tool[0]}, reach.tolerances));
   return phases;

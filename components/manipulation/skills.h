@@ -105,12 +105,38 @@ class PutSkill : public Skill {
   std::set<std::size_t> failed_;
 };
 
+// fill v source: what a hand holds is held under the running outlet of a fixture.
+class FillSkill : public Skill {
+ public:
+  FillSkill(std::string vessel, const scene::FillRule& outlet)
+      : vessel_(std::move(vessel)), outlet_(outlet) {}
+  Expected<Phases> attempt(Workbench& bench, int number) override;
+
+ private:
+  std::string vessel_;
+  scene::FillRule outlet_;
+  std::set<std::size_t> failed_;
+};
+
+// open a bag: one hand holds it, the other takes its top between the fingers and pulls.
+class TearSkill : public Skill {
+ public:
+  explicit TearSkill(std::string object) : object_(std::move(object)) {}
+  Expected<Phases> attempt(Workbench& bench, int number) override;
+
+ private:
+  std::string object_;
+  std::set<std::size_t> failed_;
+};
+
 // Ways to take hold of an object with any empty hand. `pull`: offset of the last leg after lifting [m].
 std::vector<Reach> grasp_reaches(Workbench& bench, const std::string& object);
 // Ways to take hold of a moving part.
 std::vector<Reach> part_reaches(Workbench& bench, const scene::Scene::PartRef& ref);
 // Ways to press a button with closed fingers.
 std::vector<Reach> press_reaches(Workbench& bench, const scene::Scene::PartRef& ref);
+// Ways to press a spot on a movable thing that lies about, with closed fingers from above.
+std::vector<Reach> spot_reaches(Workbench& bench, const scene::ButtonRule& spot);
 // Standing before a fixture or region, hands in front of it: for moveto.
 std::vector<Reach> front_reaches(Workbench& bench, const std::string& place);
 // The region, if any, in whose supports an object is, by geometry.

@@ -199,6 +199,7 @@ Expected<void> prepare(const WorldState& state, const Action& action, Prepared& 
 
 Expected<void> make_problem(const WorldState& state, const Goal& goal, Problem& problem) {
   problem.restart();
+  problem.minimise_cost = problem.domain().functions.find("total-cost") != SymbolTable::kNone;
   load_objects(state, problem);
   load_facts(state, problem);
   return load_goal(goal, problem);

@@ -69,7 +69,11 @@ class Checker {
       subject(rule.fact, "a rule in joint_facts");
     }
     for (const auto& rule : rules.buttons) {
-      known(rule.joint, joints_, "rules", "a rule in buttons", "joint");
+      if (rule.object.empty()) {
+        known(rule.joint, joints_, "rules", "a rule in buttons", "joint");
+      } else {
+        known(rule.object, objects_, "rules", "a rule in buttons", "object");
+      }
       known(rule.subject, scene_.symbols, "rules", "a rule in buttons", "symbol");
       facts(rule.when, "a rule in buttons");
       facts(rule.unless, "a rule in buttons");
@@ -92,6 +96,7 @@ class Checker {
       if (!rule.object.empty()) known(rule.object, objects_, "rules", "a rule in contacts", "object");
       if (!rule.receiver.empty()) known(rule.receiver, objects_, "rules", "a rule in contacts", "object");
     }
+    for (const auto& rule : rules.tears) known(rule.object, objects_, "rules", "a rule in tears", "object");
     facts(scene_.initial_facts, "initial_facts");
   }
 

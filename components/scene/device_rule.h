@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "components/core/predicate.h"
@@ -18,8 +19,14 @@ struct JointFact {
 };
 
 // A fact that toggles (or cycles through `values`) each time a button is pressed: joint >= pressed_above,
-// armed again at <= released_below.
+// armed again at <= released_below. Or, on a movable thing (a remote control), a spot that a finger presses.
 struct ButtonRule {
+  std::string name;    // of a spot on an object, as plans say it: Tv_1Remote_1PowerButton
+  std::string object;  // that carries the spot; empty: a joint
+  Eigen::Vector3d at =
+      Eigen::Vector3d::Zero();  // [m] in the object's frame, on its upper side; pressed along -z
+  double radius = 0.0;          // [m] how far off the middle a finger may press;
+                                // of several spots the nearest counts
   std::string joint;
   double pressed_above = 0.0;   // [m]
   double released_below = 0.0;  // [m]
@@ -77,6 +84,13 @@ struct ContactRule {
   double after = 0.5;              // [s]
 };
 
+// Something that two hands pull open: both press it between their fingers.
+struct TearRule {
+  std::string object;
+  std::vector<std::string> gives;  // values it gets: IsOpen
+  double after = 0.5;              // [s]
+};
+
 struct DeviceRules {
   std::vector<JointFact> joint_facts;
   std::vector<ButtonRule> buttons;
@@ -84,6 +98,10 @@ struct DeviceRules {
   std::vector<FillRule> fills;
   std::vector<RegionRule> regions;
   std::vector<ContactRule> contacts;
+  std::vector<TearRule> tears;
+  // The spot of that name on a movable thing; null if there is none.
+  const ButtonRule* find_spot(std::string_view name) const;
+
   std::vector<std::string> contents;  // values that are liquid or loose and run out when tilted
 };
 

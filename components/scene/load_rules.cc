@@ -31,9 +31,16 @@ JointFact read_joint_fact(YamlReader& reader) {
 
 ButtonRule read_button(YamlReader& reader) {
   ButtonRule rule;
-  rule.joint = reader.text("joint");
-  rule.pressed_above = reader.number("pressed_above", 0.0, 1.0);
-  rule.released_below = reader.number("released_below", 0.0, 1.0);
+  rule.object = reader.text("object", "");
+  if (!rule.object.empty()) {
+    rule.name = reader.text("name");
+    rule.at = reader.vector3("at");
+    rule.radius = reader.number("radius", 0.001, 1.0, 0.02);
+  } else {
+    rule.name = rule.joint = reader.text("joint");
+    rule.pressed_above = reader.number("pressed_above", 0.0, 1.0);
+    rule.released_below = reader.number("released_below", 0.0, 1.0);
+  }
   rule.subject = reader.text("subject");
   const std::string effect =
       reader.choice("effect", {"toggle", "set", "clear", "next", "previous"}, "toggle");
@@ -47,7 +54,7 @@ ButtonRule read_button(YamlReader& reader) {
   rule.when = reader.predicates("when");
   rule.unless = reader.predicates("unless");
   if (rule.values.empty())
-    reader.mistake("the button rule of '" + rule.joint + "' has no values; say what it changes");
+    reader.mistake("the button rule of '" + rule.name + "' has no values; say what it changes");
   if (rule.released_below > rule.pressed_above) {
     reader.mistake_at("released_below", "'released_below' must not be greater than 'pressed_above'");
   }
@@ -100,7 +107,24 @@ ContactRule read_contact_rule(YamlReader& reader) {
   return rule;
 }
 
+TearRule read_tear(YamlReader& reader) {
+  TearRule rule;
+  rule.object = reader.text("object");
+  rule.gives = reader.texts("gives");
+  rule.after = reader.number("after", 0.0, 3600.0, 0.5);
+  if (rule.gives.empty())
+    reader.mistake("the tear rule of '" + rule.object + "' gives nothing; say what it changes");
+  reader.finish();
+  return rule;
+}
+
 }  // namespace
+
+const ButtonRule* DeviceRules::find_spot(std::string_view name) const {
+  for (const auto& rule : buttons)
+    if (!rule.object.empty() && rule.name == name) return &rule;
+  return nullptr;
+}
 
 DeviceRules read_rules(YamlReader& reader) {
   DeviceRules rules;
@@ -115,6 +139,7 @@ DeviceRules read_rules(YamlReader& reader) {
   for (auto& entry : reader.maps("fills")) rules.fills.push_back(read_fill(entry));
   for (auto& entry : reader.maps("regions")) rules.regions.push_back(read_region_rule(entry));
   for (auto& entry : reader.maps("contacts")) rules.contacts.push_back(read_contact_rule(entry));
+  for (auto& entry : reader.maps("tears")) rules.tears.push_back(read_tear(entry));
   reader.finish();
   return rules;
 }

@@ -6,7 +6,7 @@
 ; bookkeeping: they are computed from the facts when a problem is made and never leave the planner.
 ; Near is pessimistic: going to one thing forgets all others, although the robot may still stand beside them.
 (define (domain goalnet-household)
-  (:requirements :adl)
+  (:requirements :adl :action-costs)
 
   (:types
     thing robot part value holder count - object
@@ -64,6 +64,9 @@
     (InHand ?o - thing)
     (AtHand ?o - thing))
 
+  ; Every action costs 2. Filling at the dispenser costs more: whoever just wants water goes to the sink.
+  (:functions (total-cost))
+
   (:derived (InHand ?o - thing) (and (Grasping Robot ?o) (not (Held ?o Tray))))
   ; Within reach of the other hand: held, on the tray, or standing nearby, but not where a hand has no room to pour or scoop.
   (:derived (AtHand ?o - thing)
@@ -73,7 +76,7 @@
   (:action moveto
     :parameters (?o - thing)
     :precondition (not (Grasping Robot ?o))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (Near Robot ?o)
       (forall (?x - thing) (when (not (= ?x ?o)) (not (Near Robot ?x))))))
 
@@ -88,8 +91,8 @@
       ; in the fridge, but nobody knows behind which door: open both
       (or (not (In ?o Fridge)) (In ?o FridgeLeft) (In ?o FridgeRight)
           (and (state Fridge LeftDoorIsOpen) (state Fridge RightDoorIsOpen))))
-    :effect (and
-      (Grasping Robot ?o)
+    :effect (and (increase (total-cost) 2)
+      (Grasping Robot ?o) (not (Near Robot ?o))
       (forall (?x - thing) (and (not (On ?o ?x)) (not (In ?o ?x)) (not (Near ?o ?x))))
       (forall (?c - compartment) (not (In ?o ?c)))
       (when (HandsHold Zero) (and (not (HandsHold Zero)) (HandsHold One)))
@@ -98,7 +101,7 @@
   (:action release
     :parameters (?o - thing)
     :precondition (InHand ?o)
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (not (Grasping Robot ?o))
       (forall (?h - holder) (not (Held ?o ?h)))
       (when (HandsHold Two) (and (not (HandsHold Two)) (HandsHold One)))
@@ -107,7 +110,7 @@
   (:action stow
     :parameters (?o - thing)
     :precondition (and (InHand ?o) (not (TrayHolds Four)))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (Held ?o Tray) (not (Held ?o LeftHand)) (not (Held ?o RightHand))
       (when (HandsHold Two) (and (not (HandsHold Two)) (HandsHold One)))
       (when (HandsHold One) (and (not (HandsHold One)) (HandsHold Zero)))
@@ -119,7 +122,7 @@
   (:action unstow
     :parameters (?o - thing)
     :precondition (and (Held ?o Tray) (not (HandsHold Two)))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (not (Held ?o Tray))
       (when (HandsHold Zero) (and (not (HandsHold Zero)) (HandsHold One)))
       (when (HandsHold One) (and (not (HandsHold One)) (HandsHold Two)))
@@ -131,7 +134,7 @@
   (:action keep-on
     :parameters (?x - thing ?surface - (either surface dish))
     :precondition (and (InHand ?x) (Near Robot ?surface) (not (= ?x ?surface)))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (not (Grasping Robot ?x))
       (forall (?h - holder) (not (Held ?x ?h)))
       (On ?x ?surface)
@@ -156,7 +159,7 @@
       (or (= ?container FridgeLeft) (= ?container FridgeRight) (Near Robot ?container)
           ; the other hand may hold the bag
           (and (= ?container GarbageBag_1) (InHand GarbageBag_1))))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (not (Grasping Robot ?x))
       (forall (?h - holder) (not (Held ?x ?h)))
       (In ?x ?container)
@@ -173,7 +176,7 @@
           (and (= ?knob StoveKnob_2) (Near Robot Stove) (not (state Stove StoveFire2)))
           (and (= ?knob StoveKnob_3) (Near Robot Stove) (not (state Stove StoveFire3)))
           (and (= ?knob StoveKnob_4) (Near Robot Stove) (not (state Stove StoveFire4)))))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (when (= ?knob SinkKnob)
         (and (state SinkKnob TapIsOn)
              (forall (?v - vessel)
@@ -200,15 +203,14 @@
           (and (= ?knob StoveKnob_2) (Near Robot Stove) (state Stove StoveFire2))
           (and (= ?knob StoveKnob_3) (Near Robot Stove) (state Stove StoveFire3))
           (and (= ?knob StoveKnob_4) (Near Robot Stove) (state Stove StoveFire4))))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (when (= ?knob SinkKnob) (not (state SinkKnob TapIsOn)))
       (when (= ?knob StoveKnob_1) (not (state Stove StoveFire1)))
       (when (= ?knob StoveKnob_2) (not (state Stove StoveFire2)))
       (when (= ?knob StoveKnob_3) (not (state Stove StoveFire3)))
       (when (= ?knob StoveKnob_4) (not (state Stove StoveFire4)))))
 
-  ; The dispenser is in the fridge's left door. What runs out of it fills nothing here: the hands cannot hold a vessel under
-  ; it and press the button next to it at once, so vessels are filled at the sink.
+  ; The dispenser is in the fridge's left door; it runs until its button is pressed again or the door is opened.
   (:action press-on
     :parameters (?button - button)
     :precondition (and
@@ -218,8 +220,8 @@
           (and (= ?button FridgeButton) (Near Robot Fridge)
                (not (state Fridge LeftDoorIsOpen)) (not (state Fridge WaterDispenserIsOpen)))
           (and (= ?button Tv_1PowerButton) (Near Robot Tv_1) (not (state Tv_1 IsOn)))
-          (and (= ?button Tv_1Remote_1PowerButton) (InHand Tv_1Remote_1) (not (state Tv_1 IsOn)))))
-    :effect (and
+          (and (= ?button Tv_1Remote_1PowerButton) (Near Robot Tv_1Remote_1) (not (state Tv_1 IsOn)))))
+    :effect (and (increase (total-cost) 2)
       (when (= ?button MicrowaveButton)
         (and (state Microwave MicrowaveIsOn)
              (forall (?x - thing) (when (In ?x Microwave) (state ?x temperatureHigh)))))
@@ -233,13 +235,13 @@
       (or (and (= ?button MicrowaveButton) (Near Robot Microwave) (state Microwave MicrowaveIsOn))
           (and (= ?button FridgeButton) (Near Robot Fridge) (state Fridge WaterDispenserIsOpen))
           (and (= ?button Tv_1PowerButton) (Near Robot Tv_1) (state Tv_1 IsOn))
-          (and (= ?button Tv_1Remote_1PowerButton) (InHand Tv_1Remote_1) (state Tv_1 IsOn))))
-    :effect (and
+          (and (= ?button Tv_1Remote_1PowerButton) (Near Robot Tv_1Remote_1) (state Tv_1 IsOn))))
+    :effect (and (increase (total-cost) 2)
       (when (= ?button MicrowaveButton) (not (state Microwave MicrowaveIsOn)))
       (when (= ?button FridgeButton) (not (state Fridge WaterDispenserIsOpen)))
       (when (or (= ?button Tv_1PowerButton) (= ?button Tv_1Remote_1PowerButton)) (not (state Tv_1 IsOn)))))
 
-  ; Channels and volume, on the set or on the remote control.
+  ; Channels and volume, on the set or on the remote control, which is pressed where it lies.
   (:action press
     :parameters (?button - button)
     :precondition (and
@@ -250,8 +252,8 @@
           (and (or (= ?button Tv_1Remote_1ChannelUpButton) (= ?button Tv_1Remote_1ChannelDownButton)
                    (= ?button Tv_1Remote_1VolumeUpButton) (= ?button Tv_1Remote_1VolumeDownButton)
                    (= ?button Tv_1Remote_1MuteButton))
-               (InHand Tv_1Remote_1))))
-    :effect (and
+               (Near Robot Tv_1Remote_1))))
+    :effect (and (increase (total-cost) 2)
       (when (or (= ?button Tv_1VolumeUpButton) (= ?button Tv_1Remote_1VolumeUpButton)) (state Tv_1 Volume))
       (when (or (= ?button Tv_1VolumeDownButton) (= ?button Tv_1Remote_1VolumeDownButton)
                 (= ?button Tv_1Remote_1MuteButton))
@@ -279,7 +281,7 @@
           (and (= ?d FridgeLeftDoor) (not (HandsHold Two)) (Near Robot Fridge) (not (state Fridge LeftDoorIsOpen)))
           (and (= ?d FridgeRightDoor) (not (HandsHold Two)) (Near Robot Fridge) (not (state Fridge RightDoorIsOpen)))
           (and (= ?d BagOfChips_1) (not (HandsHold Two)) (InHand BagOfChips_1))))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (when (= ?d Microwave) (and (state Microwave DoorIsOpen) (not (state Microwave MicrowaveIsOn))))
       (when (= ?d FridgeLeftDoor) (and (state Fridge LeftDoorIsOpen) (not (state Fridge WaterDispenserIsOpen))))
       (when (= ?d FridgeRightDoor) (state Fridge RightDoorIsOpen))
@@ -292,20 +294,29 @@
       (or (and (= ?d Microwave) (Near Robot Microwave) (state Microwave DoorIsOpen))
           (and (= ?d FridgeLeftDoor) (Near Robot Fridge) (state Fridge LeftDoorIsOpen))
           (and (= ?d FridgeRightDoor) (Near Robot Fridge) (state Fridge RightDoorIsOpen))))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (when (= ?d Microwave) (not (state Microwave DoorIsOpen)))
       (when (= ?d FridgeLeftDoor) (not (state Fridge LeftDoorIsOpen)))
       (when (= ?d FridgeRightDoor) (not (state Fridge RightDoorIsOpen)))))
 
+  ; Held under the running dispenser.
+  (:action fill
+    :parameters (?v - vessel ?from - appliance)
+    :precondition (and (= ?from Fridge) (InHand ?v) (Near Robot Fridge) (state Fridge WaterDispenserIsOpen))
+    :effect (and (increase (total-cost) 5)
+      (state ?v Water) (not (state ?v temperatureHigh))))
+
   (:action pour
     :parameters (?x - vessel ?y - vessel)
     :precondition (and (InHand ?x) (AtHand ?y) (not (= ?x ?y)))
-    :effect (forall (?c - pourable) (when (state ?x ?c) (and (state ?y ?c) (not (state ?x ?c))))))
+    :effect (and (increase (total-cost) 2)
+      (forall (?c - pourable) (when (state ?x ?c) (and (state ?y ?c) (not (state ?x ?c)))))))
 
   (:action pour-out
     :parameters (?x - vessel)
     :precondition (InHand ?x)
-    :effect (forall (?c - content) (not (state ?x ?c))))
+    :effect (and (increase (total-cost) 2)
+      (forall (?c - content) (not (state ?x ?c)))))
 
   (:action add
     :parameters (?what - (either ingredient scoop) ?x - (either vessel dish))
@@ -313,7 +324,7 @@
       (AtHand ?x)
       (or (and (or (= ?what Salt_1) (= ?what Ramen_1) (= ?what BoiledEgg_1)) (InHand ?what))
           (and (= ?what IceCreamScoop) (InHand Spoon_1) (state Spoon_1 ScoopsLeft))))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (when (= ?what Salt_1) (state ?x Salt))
       (when (= ?what Ramen_1) (and (state ?x Ramen) (In Ramen_1 ?x)))
       (when (= ?what BoiledEgg_1) (and (state ?x Egg) (In BoiledEgg_1 ?x)))
@@ -326,17 +337,19 @@
   (:action scoop
     :parameters (?spoon - utensil ?source - tub)
     :precondition (and (InHand ?spoon) (AtHand ?source) (state ?source ScoopsLeft))
-    :effect (state ?spoon ScoopsLeft))
+    :effect (and (increase (total-cost) 2)
+      (state ?spoon ScoopsLeft)))
 
   (:action squeeze
     :parameters (?x - bottle ?y - (either vessel dish tub))
     :precondition (and (InHand ?x) (IsSqueezeable ?x) (AtHand ?y))
-    :effect (forall (?c - pourable) (when (state ?x ?c) (state ?y ?c))))
+    :effect (and (increase (total-cost) 2)
+      (forall (?c - pourable) (when (state ?x ?c) (state ?y ?c)))))
 
   (:action insert
     :parameters (?x - item ?y - appliance)
     :precondition (and (InHand ?x) (state ?x CD) (Near Robot ?y) (= ?y Xbox_1))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (state ?y CD) (In ?x ?y) (not (Grasping Robot ?x))
       (forall (?h - holder) (not (Held ?x ?h)))
       (when (HandsHold Two) (and (not (HandsHold Two)) (HandsHold One)))
@@ -345,7 +358,7 @@
   (:action place-utensil
     :parameters (?u - utensil ?y - (either vessel dish))
     :precondition (and (InHand ?u) (AtHand ?y))
-    :effect (and
+    :effect (and (increase (total-cost) 2)
       (In ?u ?y) (not (Grasping Robot ?u))
       (forall (?h - holder) (not (Held ?u ?h)))
       (when (= ?u Fork_1) (state ?y Fork))
