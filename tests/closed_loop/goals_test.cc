@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
              {"(state Tv_1 IsOn)", "(state Tv_1 Channel4)"},
              1,
              "living_room",
-             {"press Tv_1ChannelUpButton"}}),
+             {"press Tv_1Remote_1ChannelUpButton"}}),
     [](const testing::TestParamInfo<Case>& one) { return std::string(one.param.name); });
 
 }  // namespace
