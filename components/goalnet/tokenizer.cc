@@ -98,7 +98,12 @@ Expected<std::vector<std::string>> tokenize(std::string_view sentence) {
       word.append(sentence.substr(i, length));
     } else {
       finish();
-      if (c == '.' || c == ';' || c == '!' || c == '?') {
+      const bool blank_before = i == 0 || sentence[i - 1] == ' ';
+      if (c == '-' && next == '>') {  // "books -> shelf"
+        words.emplace_back("to");
+      } else if ((c == '-' && blank_before && next == ' ') || code == 0x2013 || code == 0x2014) {
+        words.emplace_back(",");  // a dash parts clauses
+      } else if (c == '.' || c == ';' || c == '!' || c == '?') {
         if (words.empty() || words.back() != ".") words.emplace_back(".");
       } else if (c == ',' || c == ':') {
         words.emplace_back(",");

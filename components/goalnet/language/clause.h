@@ -29,6 +29,7 @@ struct Clause {
   bool negative = false;   // of a statement: "is not on"
   bool asked = false;      // of a statement: "..., do something about it"
   bool weak = false;       // "I want to read": asks for something only where nothing else does
+  bool reason = false;     // weak, and mostly why something else is asked: "I want to sit down, ..."
   // "if the tap is on, ...": the statement that must hold; empty: no condition.
   std::vector<Clause> condition;
 

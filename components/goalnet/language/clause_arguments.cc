@@ -50,6 +50,15 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     clause.verb = language_.verb_base(word);
     return i + 1;
   }
+  // "put on the coffee table the bowl"
+  if (NounPhrase there; word == "on" && clause.frame == Frame::kPlace && clause.phrases.empty()) {
+    const std::size_t done = reader_.read_place(i, end, there);
+    if (done != i && lexicon_->is_place_name(there.phrase) && reader_.starts(done, end)) {
+      there.role = Role::kDestination;
+      clause.phrases.push_back(std::move(there));
+      return done;
+    }
+  }
   if (one_of(word, kParticles) &&
       !(one_of(word, kParticles) && place_preposition(word) && reader_.starts(i + 1, end) &&
         !(clause.first(Role::kDirect) == nullptr && (word == "on" || word == "over")))) {

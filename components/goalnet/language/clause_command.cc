@@ -8,6 +8,17 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
+namespace {
+
+// Frames whose things stay where they are.
+bool puts_nothing(Frame frame) {
+  return frame == Frame::kPlay || frame == Frame::kGo || frame == Frame::kMute || frame == Frame::kRaise ||
+         frame == Frame::kLower || frame == Frame::kChange || frame == Frame::kTry || frame == Frame::kOpen ||
+         frame == Frame::kClose || frame == Frame::kStop || frame == Frame::kStart || frame == Frame::kTurn;
+}
+
+}  // namespace
+
 std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
   Clause clause;
   clause.mood = mood;
@@ -64,8 +75,13 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         for (std::size_t k = i; k < next; ++k) phrase.alternative = phrase.alternative || words_[k] == "or";
         for (std::size_t k = i; k < next; ++k)
           if (words_[k] == "except" || words_[k] == "but") phrase.role = Role::kExcept;
-        // "put the mug in the sink and the glass on the counter": the verb counts again
+        // "turn off the tv, books on the shelf": the second part has no verb
         NounPhrase place;
+        if (role == Role::kDirect && phrase.role != Role::kExcept && words_[i] == "," &&
+            puts_nothing(clause.frame) && reader_.read_place(done, end, place) != done)
+          break;
+        place = {};
+        // "put the mug in the sink and the glass on the counter": the verb counts again
         if (role == Role::kDestination && phrase.role != Role::kExcept && done < end &&
             reader_.read_place(done, end, place) != done) {
           Clause again;
@@ -159,6 +175,14 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     }
     clause.frame = language_.wanted_by_state(clause.state);
     clause.verb = clause.state;
+  }
+  // "the news is on channel 1, put it on"
+  if (Clause* told = result_.clauses.empty() ? nullptr : &result_.clauses.back();
+      told != nullptr && told->mood == Mood::kStatement && told->frame == Frame::kChange &&
+      clause.has_particle("on") && clause.first(Role::kDirect) != nullptr &&
+      clause.first(Role::kDirect)->pronoun) {
+    told->asked = true;
+    return i;
   }
   // "I need a break, turn on the tv"
   if (clause.wish && (i >= end || words_[i] == ","))

@@ -143,7 +143,10 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     while (next < end && (words_[next] == "that" || words_[next] == "you" || words_[next] == "to")) ++next;
     if (opens_command(next, end)) return command(next, end, Mood::kCommand);
     ensured_ = true;
-    const std::size_t done = next < end ? statement(next, end) : next;
+    std::size_t done = next < end ? statement(next, end) : next;
+    // "... that the fridge is closed and the tap is off"
+    while (done + 1 < end && words_[done] == "and" && !opens_command(done + 1, end) && tells(done + 1, end))
+      done = std::max(statement(done + 1, end), done + 2);
     ensured_ = false;
     return done;
   }
@@ -177,7 +180,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   if (word == "do_that") {  // "the tap is running, do something about it"
     if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement)
       result_.clauses.back().asked = true;
-    else if (result_.problem.empty())
+    else if (result_.problem.empty() && result_.clauses.empty())
       result_.problem = "it is not clear what should be done";
     return at + 1;
   }
@@ -197,7 +200,11 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     const std::size_t count = result_.clauses.size();
     if (opens_command(next, end)) {
       const std::size_t done = command(next, end, Mood::kCommand);
-      for (std::size_t i = count; i < result_.clauses.size(); ++i) result_.clauses[i].weak = true;
+      for (std::size_t i = count; i < result_.clauses.size(); ++i) {
+        Clause& wanted = result_.clauses[i];
+        wanted.weak = true;
+        wanted.reason = one_of(wanted.verb, kPeopleDo) || wanted.frame == Frame::kGo;
+      }
       return done;
     }
     add_told(at, part_end(at, end));
@@ -207,6 +214,11 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   const bool have_you = word == "have" && reader_.read(at + 1, end, person) != at + 1 && person.person;
   if (word == "wish" || (word == "have" && !have_you && reader_.starts(at + 1, end)))
     return command(at, end, Mood::kCommand);
+  // "somebody get me a spoon", "you put the bowl there"; "somebody put the coke there" tells what happened
+  const bool addressed = word == "you" || word == "somebody" || word == "someone" || word == "anybody";
+  if (addressed && opens_command(at + 1, end) && !language_.participle(words_[at + 1]) &&
+      (word == "you" || (words_[at + 1] != "put" && words_[at + 1] != "set" && words_[at + 1] != "shut")))
+    return at + 1;
   if (language_.asks(word) && at + 1 < end && words_[at + 1] == "not") {
     if (opens_command(at + 2, end)) return at + 1;  // "do not turn off the tap"
     add_told(at, part_end(at, end));                // "does not matter which"
@@ -240,6 +252,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   }
   if ((at == 0 || words_[at - 1] == ".") && !language_.known(word) && opens_command(at + 1, end))
     return at + 1;  // "alexa turn the tap on"
+  if (const std::size_t stop = narrows(at, end); stop != at) return stop;
   if (const std::size_t stop = topic(at, end); stop != at) return stop;
   if (const std::size_t stop = verb_last(at, end); stop != at) return stop;
   if (const std::size_t stop = exclamation(at, end); stop != at) return stop;

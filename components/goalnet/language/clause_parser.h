@@ -24,6 +24,7 @@ class ClauseParser {
   std::size_t particle(std::size_t at, std::size_t end, Clause& clause, Role& role);
   std::size_t statement(std::size_t at, std::size_t end);
   std::size_t predicate(std::size_t at, std::size_t end, Clause& clause, bool desired, bool negative);
+  bool again(const Clause& fragment);
   std::size_t fragment(std::size_t at, std::size_t end);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
@@ -34,6 +35,7 @@ class ClauseParser {
   // "the fork, bring it to me": what "it" will mean.
   std::size_t topic(std::size_t at, std::size_t end);
   std::size_t verb_last(std::size_t at, std::size_t end);
+  std::size_t narrows(std::size_t at, std::size_t end);
   bool ends_here(std::size_t at, std::size_t end) const;  // only small words up to the end of the part
   void add_told(std::size_t at, std::size_t stop);
   std::size_t exclamation(std::size_t at, std::size_t end) const;

@@ -15,6 +15,31 @@ bool ClauseParser::ends_here(std::size_t at, std::size_t end) const {
   return true;
 }
 
+// "it's the one on the coffee table", "they are on the shelf": tells of the things just asked for where they
+// are.
+std::size_t ClauseParser::narrows(std::size_t at, std::size_t end) {
+  if (at + 2 >= end || !is_pronoun(words_[at]) || (words_[at + 1] != "is" && words_[at + 1] != "are") ||
+      result_.clauses.empty() || result_.clauses.back().mood != Mood::kCommand)
+    return at;
+  NounPhrase same, place;
+  std::size_t done = reader_.read(at + 2, end, same);
+  if (done != at + 2 && same.word != "one") return at;
+  if (same.at.empty()) {
+    const std::size_t after = reader_.read_place(done, end, place);
+    if (after == done || place.pronoun || place.person) return at;
+    done = after;
+  } else {
+    place = same.at.front();
+  }
+  if (!ends_here(done, end)) return at;
+  for (NounPhrase& phrase : result_.clauses.back().phrases)
+    if (phrase.role == Role::kDirect && !phrase.pronoun) {
+      phrase.at.push_back(place);
+      return done;
+    }
+  return at;
+}
+
 std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   std::size_t next = at;
   while (next < end && (words_[next] == "correction" || language_.joins(words_[next]) ||
@@ -76,6 +101,24 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   NounPhrase phrase;
   std::size_t done = reader_.read(at, end, phrase);
   if (done == at || phrase.person || phrase.pronoun || phrase.unknown) return at;
+  // "the tap!! Somebody left it running"
+  if (done >= end && end < words_.size() && result_.clauses.empty() &&
+      std::any_of(words_.begin() + static_cast<long>(end), words_.end(),
+                  [](const std::string& word) { return is_pronoun(word); })) {
+    add_told(at, end);
+    return end;
+  }
+  // "the coke, the beer and the chips, all on the table"
+  std::vector<NounPhrase> more;
+  for (std::size_t next = done; next < end && (words_[next] == "," || words_[next] == "and");) {
+    NounPhrase listed;
+    const std::size_t after = reader_.read(next + 1, end, listed);
+    if (after == next + 1 || listed.pronoun || listed.unknown || listed.person || after >= end ||
+        (words_[after] != "," && words_[after] != "and"))
+      break;
+    more.push_back(std::move(listed));
+    done = next = after;
+  }
   const bool named_only = done < end && words_[done] == ",";
   for (NounPhrase place; done < end; place = {}) {  // "the can on the stove, give it here"
     const std::size_t after = reader_.read_place(done, end, place);
@@ -110,12 +153,14 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
     return at;
   bool refers = false;
   for (std::size_t i = next; i < end && words_[i] != ","; ++i)
-    refers = refers || words_[i] == "it" || words_[i] == "them" || words_[i] == "that" ||
+    refers = refers || words_[i] == "it" || (words_[i] == "all" && i == next) || words_[i] == "them" ||
+             words_[i] == "that" ||
              ((words_[i] == "in" || words_[i] == "on") && (i + 1 >= end || words_[i + 1] == ","));
   if (next >= end || !refers) return at;
   Clause clause;
   clause.mood = Mood::kStatement;
-  clause.phrases.push_back(std::move(phrase));
+  clause.phrases = {std::move(phrase)};
+  clause.phrases.insert(clause.phrases.end(), more.begin(), more.end());
   add(std::move(clause));
   return done;
 }

@@ -125,7 +125,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     const std::size_t done =
         from > i ? reader_.read(from, end, place, true) : reader_.read_place(i, end, place);
     if (done == from || place.person || place.hand || done >= end ||
-        !(language_.copula(words_[done]) || one_of(words_[done], kDesire)))
+        !(language_.copula(words_[done]) || one_of(words_[done], kDesire) || words_[done] == "can" ||
+          words_[done] == "may"))
       break;
     subject.at.push_back(std::move(place));
     i = done;
@@ -139,7 +140,7 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       desired = verb_seen = true;
     } else if (word == "not" || word == "never") {
       negative = true;
-    } else if (language_.copula(word)) {
+    } else if (language_.copula(word) || word == "can" || word == "may") {
       verb_seen = true;
     } else if (!(word == "to" && desired) &&
                !(harmless(k) && verb_seen && !reader_.starts(k, end) &&
@@ -178,6 +179,10 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
         place.role = Role::kDestination;
         clause.phrases.push_back(place);
+      } else if (place.phrase == "channel" && place.number > 0) {  // "my show is on channel 2"
+        clause.frame = Frame::kChange, clause.verb = "change", clause.wish = true;
+        place.role = Role::kDirect;
+        clause.phrases = {place};
       } else if (!clause.phrases.empty()) {
         clause.phrases.front().at.push_back(place);
       }
@@ -256,6 +261,18 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
   return i;
 }
 
+// "... And a pillow.", "the other plate too": what was asked before is asked of this as well.
+bool ClauseParser::again(const Clause& fragment) {
+  if (result_.clauses.empty() || result_.clauses.back().mood != Mood::kCommand) return false;
+  Clause same = result_.clauses.back();
+  std::erase_if(same.phrases, [](const NounPhrase& phrase) {
+    return phrase.role == Role::kDirect || phrase.role == Role::kSource;
+  });
+  same.phrases.insert(same.phrases.begin(), fragment.phrases.begin(), fragment.phrases.end());
+  add(std::move(same));
+  return true;
+}
+
 // "spoon in sink", "tap on please", "volume down", "channel 5", "the mug please".
 std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   Clause clause;
@@ -273,8 +290,12 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   NounPhrase place;
   bool polite = false;
+  for (const std::string& word : words_)
+    polite = polite || word == "please" || word == "now" || word == "quick" || word == "asap";
   const auto only_harmless_from = [&](std::size_t from) {
     std::size_t k = from;
+    if (NounPhrase purpose; k < end && words_[k] == "for")
+      k = std::max(reader_.read(k + 1, end, purpose), k + 1);
     for (; k < end && !language_.joins(words_[k]); ++k) {
       if (!harmless(k)) return false;
       polite = polite || words_[k] == "please" || words_[k] == "me" || words_[k] == "us";
@@ -354,19 +375,14 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     add(std::move(clause));
     return i;
   }
+  // "the other plate too"
+  if (i < end && words_[i] == "too" && ends_here(i, end) && again(clause)) return i + 1;
   if (only_harmless_from(i) && polite) {
     clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = true;
     add(std::move(clause));
     return i;
   }
-  // "... And a pillow.", "the other plate too": what was asked before is asked of this as well
-  if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kCommand && ends_here(i, end)) {
-    Clause again = result_.clauses.back();
-    std::erase_if(again.phrases, [](const NounPhrase& phrase) {
-      return phrase.role == Role::kDirect || phrase.role == Role::kSource;
-    });
-    for (NounPhrase& phrase : clause.phrases) again.phrases.push_back(std::move(phrase));
-    add(std::move(again));
+  if (ends_here(i, end) && again(clause)) {
     while (i < end && words_[i] != ",") ++i;
     return i;
   }

@@ -112,6 +112,7 @@ class FrameActions {
   std::vector<SymDelta> steps_;
   std::vector<Objects> history_;  // what "it" may mean, the newest last
   Objects last_destination_;      // what "there" means
+  std::string content_told_;      // "there is coffee in the mug": "it" may mean the coffee
   Objects taken_;                 // in the hands because somebody wants it there
   Objects mass_;                  // "everything", newest: "it" means all of that
   mutable Problem missing_;       // the last that said so; see names_missing_thing()

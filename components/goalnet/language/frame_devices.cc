@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/symbol_list.h"
 
 namespace goalnet::inference {
 
@@ -65,6 +66,15 @@ std::string FrameActions::turn(const Clause& clause, int on) {
     return television(clause);
   if (on != 0 && (clause.has_particle("off") || (clause.verb == "power" && down))) on = 0;
   if (on < 0 && clause.has_particle("on")) on = 1;
+  if (on < 0 && up && thing != nullptr && !thing->pronoun && !thing->bare() && !thing->everything) {
+    const auto heated = resolver_.options(*thing, Sort::kDevice, now_);
+    if (!heated.empty() && heated.front() == kStove) on = 1;  // "crank the stove up"
+  }
+  // "put the bowl in the microwave and start"
+  if (clause.phrases.empty() && on >= 0 && (clause.frame == Frame::kStart || clause.frame == Frame::kStop)) {
+    const Objects device = pronoun(it(), Sort::kDevice, {});
+    if (!device.empty()) return turn_on(device.front(), on == 1, 0);
+  }
   const auto is_knob = [&] {  // those are turned as they are
     if (thing == nullptr || thing->pronoun || thing->bare()) return false;
     const auto knobs = resolver_.options(*thing, Sort::kDevice, now_);
@@ -91,6 +101,13 @@ std::string FrameActions::turn(const Clause& clause, int on) {
     Objects devices;
     if (phrase.pronoun) {
       devices = pronoun(phrase, Sort::kDevice, {});
+      // of all that was spoken of, what is not so already: "I spilled water on the stove, turn it off"
+      const bool so = on >= 0 && !devices.empty() && is_on(devices.front()) == (on == 1);
+      for (auto spoken = history_.rbegin(); so && spoken != history_.rend(); ++spoken)
+        for (const Symbol other : *spoken)
+          if (contains(resolver_.all(Sort::kDevice, now_), other) && is_on(other) != (on == 1) &&
+              is_on(devices.front()) == (on == 1))
+            devices = {other};
     } else if (phrase.everything && phrase.at.empty() && on == 0) {  // "turn everything off"
       for (const Symbol device : {kSinkKnob, kMicrowave, kTv_1, kFridgeButton})
         if ((device == kFridgeButton || resolver_.exists(device)) && is_on(device)) devices.push_back(device);

@@ -95,6 +95,9 @@ FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role
 
 FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Problem& problem) {
   Objects objects = role_objects(clause, Role::kDirect, sort, problem);
+  if (objects.empty() && problem.empty() && clause.to_person &&
+      !history_.empty())  // "take the pillow, give me"
+    objects = pronoun(it(), sort, {});
   if (objects.empty() && problem.empty()) problem = "it is not clear what to " + clause.verb;
   if (problem.empty()) remember(objects);
   for (const NounPhrase& phrase : clause.phrases)
@@ -178,22 +181,30 @@ Symbol FrameActions::surface() const {
 }
 
 void FrameActions::notice(const Clause& clause) {
+  Objects together;  // "the coke, the beer and the chips: all on the table"
+  int told = 0;
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.role == Role::kDestination && !phrase.pronoun && !phrase.bare() && !phrase.unknown)
-      if (const Objects there = resolver_.options(phrase, Sort::kPlace, now_); !there.empty())
+      if (const Objects there = resolver_.options(phrase, Sort::kAny, now_); !there.empty()) {
         last_destination_ = {there.front()};
+        history_.insert(history_.begin(), {there.front()});
+      }
     if (phrase.role != Role::kDirect || phrase.pronoun || phrase.bare() || phrase.unknown) continue;
     // what stands where the sentence says counts, not everything of that name
     Objects objects = resolver_.options(phrase, Sort::kAny, now_);
     if (!phrase.everything && !phrase.plural && !phrase.all && objects.size() > 1)
       objects.erase(objects.begin() + 1, objects.end());
-    if (!objects.empty()) history_.push_back(objects);
+    if (!objects.empty()) history_.push_back(objects), ++told;
+    together.insert(together.end(), objects.begin(), objects.end());
+    const bool content = language_.content(phrase.phrase) != kNone && !phrase.at.empty();
+    content_told_ = content ? phrase.phrase : std::string();
     if (phrase.everything) mass_ = objects;
     // "there is an armchair without a pillow, put one there"
     if (!objects.empty() && resolver_.class_of(objects.front())->place &&
         !resolver_.class_of(objects.front())->movable)
       last_destination_ = {objects.front()};
   }
+  if (told > 1) history_.push_back(together);
 }
 
 }  // namespace goalnet::inference

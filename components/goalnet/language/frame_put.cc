@@ -67,6 +67,10 @@ std::string FrameActions::put(const Clause& said) {
       if (phrase.role == Role::kDestination && &phrase != destination) phrase.role = Role::kSource;
 
   if (destination == nullptr) return put_without_place(clause);
+  if (clause.verb == "spread" || clause.verb == "distribute" || clause.verb == "scatter" ||
+      clause.verb == "divide")
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kDestination) phrase.all = true;
   if (thing == nullptr)
     return clause.frame == Frame::kBring || clause.frame == Frame::kTake || clause.verb == "move"
                ? go(clause)
@@ -201,6 +205,8 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
     if (problem = keep(object, target, where); !problem.empty()) return problem;
   }
   last_destination_ = {targets.front()};
+  resolver_.remember(targets.size() > 1 && !destination.all ? Objects{targets.front()}
+                                                            : targets);  // "the other couch"
   history_.insert(history_.end() - static_cast<long>(history_.empty() ? 0 : 1), last_destination_);
   return {};
 }

@@ -50,6 +50,9 @@ std::string FrameActions::put_without_place(const Clause& clause) {
   const auto objects = direct(clause, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
   if (!home && !back && !away) {
+    if (clause.verb == "load" && resolver_.is_of_class(objects.front(), "cd") &&
+        resolver_.exists(resolver_.xbox()))
+      return keep(objects.front(), resolver_.xbox(), Where::kIn);
     if (clause.verb == "stack" || clause.verb == "pile") return stack(objects);
     return "it is not clear where to put " + resolver_.name(objects.front());
   }

@@ -60,6 +60,19 @@ std::string FrameActions::take(const Clause& clause) {
       return put(wanted);
     }
   }
+  // "give both plates a squirt of chocolate"
+  if (clause.verb == "give" && clause.phrases.size() == 2 && clause.phrases[0].role == Role::kDirect &&
+      clause.phrases[1].role == Role::kDirect && language_.content(clause.phrases[1].phrase) != kNone &&
+      !clause.phrases[0].bare() && !clause.phrases[0].pronoun) {
+    const auto dishes = resolver_.options(clause.phrases[0], Sort::kPlace, now_);
+    if (!dishes.empty() &&
+        (resolver_.is_vessel(dishes.front()) || resolver_.class_of(dishes.front())->dish)) {
+      Clause added = clause;
+      added.frame = Frame::kAdd, added.verb = "add";
+      added.phrases[0].role = Role::kDestination;
+      return add_to(added);
+    }
+  }
   // "give the coffee a minute in the microwave"
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       clause.verb == "give" && thing != nullptr && !thing->at.empty() && !thing->at.front().pronoun &&

@@ -29,6 +29,15 @@ std::string FrameActions::discard(const Clause& clause) {
   const bool flung = clause.verb == "throw" || clause.verb == "toss" || clause.verb == "chuck";
   if (flung && !clause.has_particle("away") && !clause.has_particle("out"))
     return "it is not clear where to " + clause.verb + " that; say \"throw ... away\" for the bin";
+  if (const NounPhrase* it_said = clause.first(Role::kDirect);
+      it_said != nullptr && it_said->pronoun &&
+      !content_told_.empty()) {  // "there is coffee in the mug, get rid of it"
+    Clause away = clause;
+    away.phrases = {*it_said};
+    away.phrases.front().pronoun = false,
+    away.phrases.front().phrase = away.phrases.front().word = content_told_;
+    return pour(away);
+  }
   const Symbol content = mentioned_content(clause, Role::kDirect);
   const NounPhrase* thing = clause.first(Role::kDirect);
   const Symbol bin = resolver_.exists(kGarbageBin_1) ? Symbol{kGarbageBin_1} : Symbol{kNone};

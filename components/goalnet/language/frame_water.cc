@@ -61,10 +61,19 @@ std::string FrameActions::fill(const Clause& said) {
   if (!problem.empty()) return problem;
   const NounPhrase* with = clause.first(Role::kWith);
   if (with != nullptr && content == kNone) {
+    if (with->everything && !with->at.empty() && !with->at.front().pronoun && !with->at.front().bare()) {
+      const auto from =
+          resolver_.options(with->at.front(), Sort::kVessel, now_);  // "with what is in the mug"
+      for (Symbol c = kWater; c <= kEgg && !from.empty() && content == kNone; ++c)
+        if (now_.is(from.front(), c)) content = c, sources = {from.front()};
+      if (content == kNone) return "there is nothing in that to fill it with";
+    }
     if (with->has("everything") || with->pronoun) return "it is not clear what to fill it with";
-    bool done = false;
+    bool done = content != kNone;
     for (const Symbol vessel : vessels)
-      if (problem = add_content(*with, vessel, done); !problem.empty()) return problem;
+      if (problem = content != kNone ? fill_one(vessel, content) : add_content(*with, vessel, done);
+          !problem.empty())
+        return problem;
     return done ? Problem{} : "it is not known how to fill something with " + with->word;
   }
   if (content == kNone && !sources.empty())

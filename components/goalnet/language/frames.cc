@@ -87,12 +87,17 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       actions.notice(clause);
       continue;
     }
+    const bool aside =
+        clause.weak && std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
+                                   [](const Clause& c) { return c.mood == Mood::kCommand && !c.weak; });
+    if (aside && clause.reason) {  // "I want to sit down, clear the couch"
+      actions.notice(clause);
+      ++result.passed_over;
+      continue;
+    }
     ++result.clauses;
     if (const std::string problem = actions.add(clause); !problem.empty()) {
-      if (clause.weak &&
-          std::any_of(sentence.clauses.begin(), sentence.clauses.end(), [](const Clause& other) {
-            return other.mood == Mood::kCommand && !other.weak;
-          })) {  // "I want to sit down, clear the couch"
+      if (aside) {
         actions.notice(clause);
         ++result.passed_over;
         continue;

@@ -114,6 +114,12 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
         phrase.number = number, phrase.phrase = phrase.word = one();
         return phrase.phrase.empty() ? at : i + 1;
       }
+      if (word == "one" && !determined && !last_thing_.empty() &&
+          (i + 1 >= end || language_.joins(words_.text[i + 1]) ||
+           words_.text[i + 1] == "please")) {  // "get me one"
+        phrase.phrase = phrase.word = last_thing_;
+        return i + 1;
+      }
       if (i + 1 >= end) break;
       phrase.count = number, determined = true;
     } else if (const int ordinal = ordinal_word(word)) {

@@ -61,6 +61,10 @@ inline constexpr std::array kSubjects = {"i"sv,        "we"sv,      "he"sv,     
 // What rewriting leaves where a sentence takes a turn.
 inline constexpr std::array kTurns = {"correction"sv, "do_that"sv, "hint"sv, "wish_to"sv};
 
+// What people rather do themselves: "I want to play, hand me the controller".
+inline constexpr std::array kPeopleDo = {"sit"sv,   "rest"sv,  "play"sv, "cook"sv, "bake"sv,
+                                         "stand"sv, "clean"sv, "wash"sv, "bring"sv};
+
 inline constexpr std::array kPossessives = {"my"sv, "your"sv, "his"sv, "her"sv, "our"sv, "their"sv};
 
 // Behind verbs; before clauses that hang on others.

@@ -1,5 +1,6 @@
 #include "components/goalnet/language/words.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -97,6 +98,64 @@ void repeat_numbered(std::vector<std::string>& text, const Language& language) {
   }
 }
 
+// "it would make my day if you brought me a coke": only what comes behind matters.
+void ask_politely(std::vector<std::string>& text) {
+  constexpr std::size_t kFarthest = 9;
+  static constexpr std::array kCould = {"could"sv, "would"sv, "can"sv, "might"sv, "will"sv};
+  for (std::size_t i = 0; i + 3 < text.size(); ++i) {
+    const bool opens = (text[i] == "it" || text[i] == "i" || text[i] == "that") &&
+                       (text[i + 1] == "would" || text[i + 1] == "will");
+    if (!opens) continue;
+    for (std::size_t k = i + 2; k + 1 < text.size() && k < i + kFarthest && text[k] != "," && text[k] != ".";
+         ++k) {
+      if (text[k] != "if" || text[k + 1] != "you") continue;
+      k += 2;
+      while (k < text.size() && one_of(text[k], kCould)) ++k;
+      text[i] = "please";
+      text.erase(text.begin() + static_cast<long>(i) + 1, text.begin() + static_cast<long>(k));
+      break;
+    }
+  }
+}
+
+// "something to stir my coffee with" is a spoon.
+void name_tools(std::vector<std::string>& text) {
+  constexpr std::size_t kFarthest = 10;
+  static constexpr std::array<std::array<std::string_view, 2>, 7> kTools = {{{"stir", "spoon"},
+                                                                             {"mix", "spoon"},
+                                                                             {"scoop", "spoon"},
+                                                                             {"eat", "fork"},
+                                                                             {"drink", "glass"},
+                                                                             {"rest", "pillow"},
+                                                                             {"lean", "pillow"}}};
+  for (std::size_t i = 0; i + 3 < text.size(); ++i) {
+    if ((text[i] != "something" && text[i] != "anything") || text[i + 1] != "to") continue;
+    const auto tool =
+        std::find_if(kTools.begin(), kTools.end(), [&](const auto& t) { return t[0] == text[i + 2]; });
+    if (tool == kTools.end()) continue;
+    bool soft_food = false;
+    for (std::size_t k = i + 3; k < text.size() && k < i + kFarthest && text[k] != "," && text[k] != ".";
+         ++k) {
+      soft_food = soft_food || text[k] == "cream" || text[k] == "icecream" || text[k] == "soup";
+      if (text[k] != "with" && text[k] != "from" && text[k] != "of" && text[k] != "on" &&
+          text[k] != "against")
+        continue;
+      if (text[k] == "with" && k + 1 < text.size() && text[k + 1] != "." && text[k + 1] != ",") continue;
+      text[i] = "a", text[i + 1] = soft_food && tool->at(0) == "eat" ? "spoon" : std::string(tool->at(1));
+      text.erase(text.begin() + static_cast<long>(i) + 2, text.begin() + static_cast<long>(k) + 1);
+      break;
+    }
+  }
+}
+
+// "you know what I would like? An egg.": the thing comes in a sentence of its own.
+void join_wishes(std::vector<std::string>& text) {
+  for (std::size_t i = 0; i + 2 < text.size(); ++i)
+    if (text[i] == "wish" && text[i + 1] == ".") text.erase(text.begin() + static_cast<long>(i) + 1);
+  if (!text.empty() && text.front() == ".") text.erase(text.begin());
+  if (!text.empty() && text.back() == ".") text.pop_back();
+}
+
 // "my wife needs the salt", "the kids want noodles": who wants something speaks through somebody else.
 void speak_for_others(std::vector<std::string>& text, const Language& language) {
   static constexpr std::array kWhose = {"my"sv,  "our"sv, "the"sv,   "your"sv,
@@ -147,7 +206,13 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   drop_intensifiers(text);
   speak_for_others(text, language);
   repeat_numbered(text, language);
+  ask_politely(text);
+  name_tools(text);
+  // Rules may speak of where a sentence begins and ends.
+  if (text.empty() || text.back() != ".") text.emplace_back(".");
+  text.insert(text.begin(), ".");
   text = language.rewrite(std::move(text), kMaxAfterRewriting);
+  join_wishes(text);
   for (std::string& word : text) {
     std::string stem = language.keeps_its_s(word) ? word : singular(word);
     words.plural.push_back(stem != word);
