@@ -234,8 +234,24 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       clause.frame = wanted, clause.verb = clause.state;
     return done;
   }
+  if (NounPhrase subject;
+      word == "can" || word == "could" || word == "may" || word == "should" || word == "would") {
+    const std::size_t done = reader_.read(at + 1, end, subject);
+    if (done != at + 1 && !subject.person && done < end &&
+        (words_[done] == "go" || words_[done] == "be" || words_[done] == "get" || words_[done] == "have")) {
+      ensured_ = true;  // "could the coffee go in the microwave?"
+      const std::size_t stop = statement(at + 1, end);
+      ensured_ = false;
+      return stop;
+    }
+  }
   if (language_.asks(word) && at + 1 < end && language_.copula(words_[at + 1])) return question(at, end);
-  if (one_of(word, kSubordinate) && !(word == "so" && opens_command(skip_joins(at + 1, end), end)))
+  // "so that I can sit", "so I can sit" say why; "so the coke please" goes on
+  const bool purpose =
+      at + 1 < end && (words_[at + 1] == "that" || words_[at + 1] == "i" || words_[at + 1] == "we" ||
+                       words_[at + 1] == "they" || words_[at + 1] == "it" || words_[at + 1] == "nobody");
+  if (one_of(word, kSubordinate) &&
+      (word != "so" || (purpose && !opens_command(skip_joins(at + 1, end), end))))
     return subordinate(at, end);
   if (word == "so") return at + 1;
   if (opens_command(at, end)) return command(at, end, Mood::kCommand);
@@ -244,10 +260,29 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   NounPhrase place;
   if (const std::size_t done = reader_.read_place(at, end, place); done != at) {
     const std::size_t next = skip_joins(done, end);
+    place.role = Role::kDestination;
     if (opens_command(next, end)) {
-      place.role = Role::kDestination;
       fronted_ = {place};
       return next;
+    }
+    if (NounPhrase thing; done < end && words_[done] == "with") {  // "into the bin with the chips"
+      const std::size_t after = reader_.read(done + 1, end, thing);
+      if (after != done + 1 && !thing.unknown && !thing.person) {
+        Clause clause;
+        clause.frame = Frame::kPlace, clause.verb = "put";
+        clause.phrases = {std::move(thing), std::move(place)};
+        add(std::move(clause));
+        return after;
+      }
+    }
+    // "take out the bag ... to the bin I mean"
+    if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kCommand && ends_here(done, end) &&
+        result_.clauses.back().first(Role::kDirect) != nullptr) {
+      Clause& last = result_.clauses.back();
+      std::erase_if(last.phrases, [](const NounPhrase& old) { return old.role == Role::kDestination; });
+      if (last.frame == Frame::kTake) last.frame = Frame::kPlace, last.to_person = false;
+      last.phrases.push_back(std::move(place));
+      return part_end(done, end);
     }
   }
   if ((at == 0 || words_[at - 1] == ".") && !language_.known(word) && opens_command(at + 1, end))

@@ -102,7 +102,9 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   std::size_t done = reader_.read(at, end, phrase);
   if (done == at || phrase.person || phrase.pronoun || phrase.unknown) return at;
   // "the tap!! Somebody left it running"
-  if (done >= end && end < words_.size() && result_.clauses.empty() &&
+  if (done >= end && end < words_.size() &&
+      std::none_of(result_.clauses.begin(), result_.clauses.end(),
+                   [](const Clause& clause) { return clause.mood == Mood::kCommand; }) &&
       std::any_of(words_.begin() + static_cast<long>(end), words_.end(),
                   [](const std::string& word) { return is_pronoun(word); })) {
     add_told(at, end);

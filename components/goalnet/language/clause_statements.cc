@@ -131,6 +131,19 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     subject.at.push_back(std::move(place));
     i = done;
   }
+  std::vector<NounPhrase> subjects = {subject};
+  for (std::size_t next = i; next + 1 < end && (words_[next] == "and" || words_[next] == ",");) {
+    NounPhrase more;  // "xbox and controller belong on the table"
+    const std::size_t done = reader_.read(next + 1, end, more);
+    if (done == next + 1 || more.person || more.unknown || done >= end) break;
+    subjects.push_back(more);
+    next = done;
+    if (language_.copula(words_[done]) || one_of(words_[done], kDesire)) i = done;
+  }
+  if (i == named || !(language_.copula(words_[i]) || one_of(words_[i], kDesire))) subjects.resize(1);
+  // "there is a book on the table that belongs on the shelf"
+  if (there && i + 1 < end && (words_[i] == "that" || words_[i] == "which") && one_of(words_[i + 1], kDesire))
+    ++i;
   // "my coffee has gone cold", "the tv should be on", "that book should not be on the table"
   std::size_t k = i;
   bool verb_seen = there;
@@ -151,7 +164,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   if (!verb_seen) return fragment(at, end);
   Clause clause;
   clause.mood = Mood::kStatement;
-  clause.phrases = {subject};
+  clause.phrases = subjects;
+  clause.phrases.front() = subject;
   clause.negative = negative;
   add(std::move(clause));
   if (desired && !negative && k > 0 && (k >= end || language_.joins(words_[k])) &&
@@ -288,10 +302,18 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     clause.phrases.push_back(more);
     i = done;
   }
+  while (i < end && words_[i] == "from") {  // "pillow from armchair 2 to the couch"
+    NounPhrase source;
+    const std::size_t done = reader_.read(i + 1, end, source, true);
+    if (done == i + 1 || source.person || source.unknown) break;
+    for (NounPhrase& phrase : clause.phrases) phrase.at.push_back(source);
+    i = done;
+  }
   NounPhrase place;
   bool polite = false;
   for (const std::string& word : words_)
-    polite = polite || word == "please" || word == "now" || word == "quick" || word == "asap";
+    polite =
+        polite || word == "please" || word == "now" || word == "quick" || word == "asap" || word == "thank";
   const auto only_harmless_from = [&](std::size_t from) {
     std::size_t k = from;
     if (NounPhrase purpose; k < end && words_[k] == "for")

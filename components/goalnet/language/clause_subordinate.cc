@@ -7,6 +7,7 @@
 namespace goalnet::inference {
 
 using namespace word_group;
+using std::string_view_literals::operator""sv;
 
 std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
   const std::string& word = words_[at];
@@ -32,6 +33,18 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
         return stop;
       }
     }
+  }
+  // "if you are not busy", "when you have time", "if I may"
+  static constexpr std::array kPolite = {"can"sv,  "could"sv,  "would"sv, "will"sv, "are"sv,    "have"sv,
+                                         "get"sv,  "want"sv,   "like"sv,  "feel"sv, "happen"sv, "do"sv,
+                                         "mind"sv, "please"sv, "need"sv,  "may"sv};
+  if ((word == "if" || word == "when" || word == "whenever") && at + 2 < end &&
+      (words_[at + 1] == "you" || words_[at + 1] == "i" || words_[at + 1] == "nobody") &&
+      one_of(words_[at + 2], kPolite)) {
+    const std::size_t stop = part_end(at, end);
+    std::size_t verb = at + 3;  // "if you can open the fridge": the verb counts
+    while (verb < stop && !opens_command(verb, stop)) ++verb;
+    if (verb >= stop) return stop;
   }
   if (word == "if" || word == "unless" || word == "whenever") {
     if (result_.problem.empty())

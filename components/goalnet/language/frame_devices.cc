@@ -82,6 +82,11 @@ std::string FrameActions::turn(const Clause& clause, int on) {
            (!knobs.empty() &&
             (knobs.front() == kSinkKnob || (knobs.front() >= kStoveKnob_1 && knobs.front() <= kStoveKnob_4)));
   };
+  // "switch the pillows on armchair 1 and armchair 2"
+  if (on < 0 && clause.verb == "switch" && thing != nullptr && !thing->pronoun && !thing->bare() &&
+      resolver_.options(*thing, Sort::kDevice, now_).empty() &&
+      !resolver_.options(*thing, Sort::kMovable, now_).empty())
+    return swap(clause);
   if (on < 0 && (clause.verb == "turn" || clause.verb == "switch" || clause.verb == "power") && !is_knob())
     return "it is not clear whether to turn that on or off";
   // "run to the fridge", "push the book onto the shelf"
@@ -165,6 +170,11 @@ std::string FrameActions::turn(const Clause& clause, int on) {
         return problem;
     }
     remember(devices);
+    if (contains(devices, kStove) && on == 1)  // "switch on a burner and put the kettle on it"
+      for (Symbol i = 0; i < 4; ++i)
+        if (now_.is(kStove, static_cast<Symbol>(kStoveFire1 + i)) &&
+            !start_.is(kStove, static_cast<Symbol>(kStoveFire1 + i)))
+          remember({static_cast<Symbol>(kStoveFire_1 + i)});
     any = true;
   }
   return any ? Problem{} : "it is not clear what to turn on or off";

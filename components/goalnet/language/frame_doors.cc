@@ -85,6 +85,8 @@ std::string FrameActions::door(const Clause& clause, bool open) {
         if (things.empty()) return {};  // nothing is open
       }
     }
+    if (things.empty() && phrase.word == "one" && (left || right) && resolver_.exists(kFridge))
+      things = {Symbol{kFridge}};  // "close the left one"
     if (things.empty()) return unknown_thing(phrase, Sort::kAny);
     Symbol thing = things.front();
     for (const Symbol other : things)

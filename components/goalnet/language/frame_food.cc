@@ -150,7 +150,8 @@ std::string FrameActions::scoop(const Clause& clause) {
                                : language_.content(thing->phrase) == kIceCream ||
                                      (thing->pronoun && !pronoun(*thing, Sort::kMovable, {}).empty() &&
                                       pronoun(*thing, Sort::kMovable, {}).front() == resolver_.ice_cream());
-    if (!ice_cream) return "only ice cream can be scooped";
+    const bool some = thing->bare() && thing->some;  // "scoop some into the mug"
+    if (!ice_cream && !some) return "only ice cream can be scooped";
     if (thing->count > 1) times = thing->count;
   }
   if (const NounPhrase* with = clause.first(Role::kWith);

@@ -34,6 +34,16 @@ std::string FrameActions::put(const Clause& said) {
     place.modifier.clear();
     clause.phrases.push_back(moved);
   }
+  // "load the microwave with the bowl"
+  if (const NounPhrase* with = clause.first(Role::kWith), *place = clause.first(Role::kDirect);
+      with != nullptr && place != nullptr && clause.verb == "load" && lexicon_place(*place)) {
+    for (NounPhrase& phrase : clause.phrases)
+      phrase.role = phrase.role == Role::kWith     ? Role::kDirect
+                    : phrase.role == Role::kDirect ? Role::kDestination
+                                                   : phrase.role;
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kDestination) phrase.where = Where::kTo;
+  }
   if (clause.has_particle("to_boil")) return heat(clause, true);  // "bring the water to the boil"
   // "put in a disc"
   if (clause.phrases.size() == 1 && clause.first(Role::kDirect) == nullptr) {

@@ -14,6 +14,7 @@ constexpr int kChannels = 6;
 }  // namespace
 
 bool FrameActions::about_television(const Clause& clause) const {
+  if (clause.frame == Frame::kMute && clause.phrases.empty()) return true;  // "mute please"
   for (const NounPhrase& phrase : clause.phrases) {
     if (language_.tv_word(phrase.phrase)) return true;
     for (const Symbol named : phrase.phrase.empty() ? Objects{} : resolver_.named(phrase))

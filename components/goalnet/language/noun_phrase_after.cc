@@ -84,6 +84,9 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
     }
     if ((word == "that" || word == "which" || word == "who" || word == "where") && i + 1 < end) {
       std::size_t k = i + 1;
+      if (words_.text[k] == "belong" || words_.text[k] == "should" || words_.text[k] == "goe" ||
+          words_.text[k] == "need")
+        return i;  // "a book that belongs on the shelf" asks for something
       // "the burner that the kettle is on", "the shelf where the beer is"
       if (word == "where" && !lexicon_.is_place_name(phrase.phrase))
         return i;  // "put the mug where the coke is"
@@ -133,6 +136,17 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       if (done == i) return i;
       i = done;
       continue;
+    }
+    // "every cup we have", "the books you can find"
+    if ((word == "we" || word == "i" || word == "you") && i + 1 < end && phrase.plural != phrase.all) {
+      static constexpr std::array kOwned = {"have"sv, "own"sv,  "got"sv, "get"sv,
+                                            "see"sv,  "find"sv, "can"sv, "need"sv};
+      std::size_t k = i + 1;
+      while (k < end && one_of(words_.text[k], kOwned)) ++k;
+      if (k > i + 1 && (word == "we" || words_.text[i + 1] != "have")) {
+        i = k;
+        continue;
+      }
     }
     // "full of coffee", "containing water", "with the coffee in it"
     const bool filled = word == "containing" || (word == "full" && i + 1 < end && words_.text[i + 1] == "of");

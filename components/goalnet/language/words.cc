@@ -82,6 +82,19 @@ void split_were(std::vector<std::string>& text) {
     }
 }
 
+// "int he sink": the blank slipped by one letter.
+void move_blanks(std::vector<std::string>& tokens, const Language& language, int& corrected) {
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    std::string &a = tokens[i], &b = tokens[i + 1];
+    if (a.size() < 3 || (language.known(a) && language.known(b)) || !language.small_word(a.back() + b))
+      continue;
+    const std::string shorter = a.substr(0, a.size() - 1);
+    if (!language.known(shorter)) continue;
+    b = a.back() + b, a = shorter;
+    ++corrected;
+  }
+}
+
 // "burners 2 and 3" -> "burner 2 and burner 3"
 void repeat_numbered(std::vector<std::string>& text, const Language& language) {
   const auto number = [&](std::size_t i) {
@@ -160,12 +173,16 @@ void join_wishes(std::vector<std::string>& text) {
 void speak_for_others(std::vector<std::string>& text, const Language& language) {
   static constexpr std::array kWhose = {"my"sv,  "our"sv, "the"sv,   "your"sv,
                                         "his"sv, "her"sv, "their"sv, "a"sv};
-  static constexpr std::array kWant = {"want"sv, "wants"sv, "need"sv, "needs"sv, "would"sv, "requires"sv};
+  static constexpr std::array kWant = {"want"sv,     "wants"sv, "need"sv, "needs"sv, "would"sv,
+                                       "requires"sv, "can"sv,   "cant"sv, "cannot"sv};
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!language.person(singular(text[i]))) continue;
     std::size_t next = i + 1;
     while (next < text.size() && (text[next] == "here" || text[next] == "also")) ++next;
-    if (next >= text.size() || !one_of(text[next], kWant)) continue;
+    std::size_t feels = next;  // "the kid is thirsty"
+    while (feels < text.size() && (text[feels] == "is" || text[feels] == "are")) ++feels;
+    const bool wishes = feels < text.size() && language.wish(text[feels]) != nullptr;
+    if (next >= text.size() || !(one_of(text[next], kWant) || wishes)) continue;
     std::size_t from = i;
     while (from > 0 && i - from < 2 &&
            (one_of(text[from - 1], kWhose) || text[from - 1] == "little" || text[from - 1] == "old" ||
@@ -184,6 +201,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   Words words;
   std::vector<std::string> mended = tokens;
   drop_numbering(mended);
+  move_blanks(mended, language, words.corrected);
   join_pieces(mended, language, words.corrected);
   std::vector<std::string> text;
   for (const std::string& token : mended) {
