@@ -146,8 +146,8 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     if (!phrase.hand && !phrase.person) clause.phrases.push_back(std::move(phrase));
     return done;
   }
-  if ((word == "a" || word == "one") && i + 1 < end && language_.time_unit(words_[i + 1]) &&
-      reader_.name_length(i + 1) == 0)
+  if ((word == "a" || word == "one" || word == "another" || number_word(word) > 0) && i + 1 < end &&
+      language_.time_unit(words_[i + 1]) && reader_.name_length(i + 1) == 0)
     return i + 2;       // "hold it for me a moment"
   if (word == "for") {  // for me; for two minutes; for the guests
     NounPhrase phrase;

@@ -184,6 +184,14 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     told->asked = true;
     return i;
   }
+  if (clause.frame == Frame::kChange)  // "I wonder what is on channel two, switch over"
+    for (Clause& told : result_.clauses)
+      if (told.mood == Mood::kStatement && told.frame == Frame::kChange && told.wish &&
+          std::none_of(clause.phrases.begin(), clause.phrases.end(),
+                       [](const NounPhrase& phrase) { return phrase.number > 0 || phrase.ordinal > 0; })) {
+        told.asked = true;
+        return i;
+      }
   // "I need a break, turn on the tv"
   if (clause.wish && (i >= end || words_[i] == ","))
     clause.weak =

@@ -115,8 +115,10 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       const std::size_t done = reader_.read(verb, end, phrase);
       if (done != verb) return done;
     }
-    if (NounPhrase left_out; words_[at + 1 < end ? at + 1 : at] != "wish") {  // "forget the fork"
-      const std::size_t done = reader_.read(at + 1, end, left_out);
+    if (NounPhrase left_out;
+        words_[at + 1 < end ? at + 1 : at] != "wish") {  // "forget the fork", "not in the mug"
+      std::size_t done = reader_.read_place(at + 1, end, left_out);
+      if (done == at + 1) done = reader_.read(at + 1, end, left_out);
       if (done != at + 1 && ends_here(done, end)) {
         add_told(at + 1, done);
         return done;
@@ -292,6 +294,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   if (const std::size_t stop = verb_last(at, end); stop != at) return stop;
   if (const std::size_t stop = exclamation(at, end); stop != at) return stop;
   if (const std::size_t stop = told(at, end); stop != at) return stop;
+  if (const std::size_t stop = aside(at, end); stop != at) return stop;
   return statement(at, end);
 }
 

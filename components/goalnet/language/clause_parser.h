@@ -38,6 +38,7 @@ class ClauseParser {
   std::size_t narrows(std::size_t at, std::size_t end);
   bool ends_here(std::size_t at, std::size_t end) const;  // only small words up to the end of the part
   void add_told(std::size_t at, std::size_t stop);
+  std::size_t aside(std::size_t at, std::size_t end);
   std::size_t exclamation(std::size_t at, std::size_t end) const;
   std::size_t part_end(std::size_t at, std::size_t end) const;
   bool tells(std::size_t at, std::size_t stop) const;

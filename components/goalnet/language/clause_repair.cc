@@ -60,9 +60,19 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
     role = place ? Role::kDestination : Role::kDirect;
     if (place) phrase.where = last->first(Role::kDestination)->where;
   }
+  if (NounPhrase place;
+      role == Role::kDirect && done != next) {  // "put the lid, no, the plate on the counter"
+    const std::size_t after = reader_.read_place(done, end, place);
+    if (after != done && !place.person && ends_here(after, end) &&
+        last->first(Role::kDestination) == nullptr) {
+      place.role = Role::kDestination;
+      last->phrases.push_back(std::move(place));
+      done = after;
+    }
+  }
   if (done == next || !ends_here(done, end)) return next;
   for (const NounPhrase& old : last->phrases)  // "go to the window, I mean the tv"
-    if (old.unknown || old.role == Role::kDestination) {
+    if (old.unknown || (old.role == Role::kDestination && last->phrases.size() == 1)) {
       const bool only = last->phrases.size() == 1 || old.unknown;
       if (only) role = old.role, phrase.where = old.where;
     }
@@ -155,8 +165,10 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
     return at;
   bool refers = false;
   for (std::size_t i = next; i < end && words_[i] != ","; ++i)
-    refers = refers || words_[i] == "it" || (words_[i] == "all" && i == next) || words_[i] == "them" ||
-             words_[i] == "that" ||
+    refers = refers || words_[i] == "it" ||
+             ((words_[i] == "all" || words_[i] == "both") &&
+              (i == next || i + 2 >= end || number_word(words_[i + 1]) > 0)) ||
+             words_[i] == "them" || words_[i] == "that" ||
              ((words_[i] == "in" || words_[i] == "on") && (i + 1 >= end || words_[i + 1] == ","));
   if (next >= end || !refers) return at;
   Clause clause;

@@ -299,6 +299,7 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     NounPhrase more;
     const std::size_t next = skip_joins(i, end), done = reader_.read(next, end, more);
     if (done == next || starts_clause(next, end)) break;
+    more.alternative = words_[i] == "or";  // "coke or beer please"
     clause.phrases.push_back(more);
     i = done;
   }
@@ -316,8 +317,10 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
         polite || word == "please" || word == "now" || word == "quick" || word == "asap" || word == "thank";
   const auto only_harmless_from = [&](std::size_t from) {
     std::size_t k = from;
-    if (NounPhrase purpose; k < end && words_[k] == "for")
+    if (NounPhrase purpose; k < end && words_[k] == "for") {
       k = std::max(reader_.read(k + 1, end, purpose), k + 1);
+      polite = polite || purpose.person;
+    }
     for (; k < end && !language_.joins(words_[k]); ++k) {
       if (!harmless(k)) return false;
       polite = polite || words_[k] == "please" || words_[k] == "me" || words_[k] == "us";
@@ -352,6 +355,17 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     clause.phrases.push_back(place);
     add(std::move(clause));
     return i + 2;
+  }
+  if (i + 1 < end && words_[i] == "off") {  // "everything off the stove"
+    const std::size_t done = reader_.read(i + 1, end, place, true);
+    if (done != i + 1 && !place.unknown && !place.person) {
+      clause.frame = Frame::kTake, clause.verb = "take";
+      place.role = Role::kSource;
+      clause.phrases.push_back(place);
+      add(std::move(clause));
+      return done;
+    }
+    place = {};
   }
   if (i + 1 < end && words_[i] == "for") {  // "a pillow for every armchair"
     const std::size_t done = reader_.read(i + 1, end, place, true);
@@ -419,9 +433,14 @@ std::size_t ClauseParser::question(std::size_t at, std::size_t end) {
   std::size_t i = at + 1;
   while (i < end && !language_.joins(words_[i])) {
     NounPhrase phrase;
-    const std::size_t done = reader_.read(i, end, phrase);
-    if (done != i && !phrase.person && clause.phrases.empty() && !phrase.phrase.empty())
+    std::size_t done = reader_.read_place(i, end, phrase);
+    const bool place = done != i;
+    if (!place) done = reader_.read(i, end, phrase);
+    const bool first_thing = clause.first(Role::kDirect) == nullptr;
+    if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty() && (place || first_thing)) {
+      phrase.role = place ? Role::kDestination : Role::kDirect;
       clause.phrases.push_back(phrase);
+    }
     i = std::max(done, i + 1);
   }
   add(std::move(clause));

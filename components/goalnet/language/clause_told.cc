@@ -36,6 +36,8 @@ bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
   for (std::size_t i = at + 1; i < stop && i <= at + kLongestSubject; ++i) {
     const std::string& word = words_[i];
     if (language_.copula(word) || word == "not") return true;
+    if (word == "please") continue;
+    if (word.size() > 4 && word.ends_with("ed") && reader_.name_length(i) == 0) return true;  // "beeped"
     const bool noun_before = !one_of(words_[i - 1], kDeterminers) && !one_of(words_[i - 1], kArticles) &&
                              !place_preposition(words_[i - 1]);
     if (noun_before && reader_.name_length(i) == 0 && language_.english_verb(word) &&
@@ -54,7 +56,11 @@ void ClauseParser::add_told(std::size_t at, std::size_t stop) {
     std::size_t done = reader_.read_place(i, stop, phrase);
     const bool place = done != i;
     if (!place) done = reader_.read(i, stop, phrase);
-    if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty()) {
+    if (done != i && phrase.phrase == "channel" && phrase.number > 0 && !clause.wish) {
+      clause.frame = Frame::kChange, clause.verb = "change", clause.wish = true;  // "my show is on channel 4"
+      phrase.role = Role::kDirect;
+      clause.phrases = {std::move(phrase)};
+    } else if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty() && !clause.wish) {
       phrase.role = place ? Role::kDestination : Role::kDirect;
       clause.phrases.push_back(std::move(phrase));
     }
@@ -83,6 +89,25 @@ std::size_t ClauseParser::told(std::size_t at, std::size_t end) {
   reader_.recall(trial.reader_);
   for (Clause& clause : trial.result_.clauses) add(std::move(clause));
   return std::max(done, at + 1);
+}
+
+// "ssh, the baby!", "careful with that mug!": a part that nobody can read and that does not begin as requests
+// do.
+std::size_t ClauseParser::aside(std::size_t at, std::size_t end) {
+  if (at > 0 && words_[at - 1] != "," && words_[at - 1] != ".") return at;
+  const std::size_t stop = part_end(at, end);
+  for (std::size_t i = at; i < stop; ++i)
+    if (reader_.name_length(i) > 0) return at;  // something that is here may be asked for
+  const bool verb_first = language_.english_verb(words_[at]) || !language_.known(words_[at]);
+  if (verb_first && at + 1 < stop && (reader_.starts(at + 1, stop) || one_of(words_[at + 1], kParticles)))
+    return at;
+  ClauseParser trial = *this;
+  trial.result_.stray.clear();
+  const std::size_t count = trial.result_.clauses.size();
+  trial.statement(at, stop);
+  if (trial.result_.stray.empty() || trial.result_.clauses.size() > count) return at;
+  add_told(at, stop);
+  return stop;
 }
 
 // "movie night!", "bedtime, kids": one or two words on their own that name and do nothing here.

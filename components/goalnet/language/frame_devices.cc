@@ -158,6 +158,12 @@ std::string FrameActions::turn(const Clause& clause, int on) {
           if (place == kMicrowave || (place >= kStoveFire_1 && place <= kStoveFire_4)) devices = {place};
         }
     }
+    // "switch it off" where one thing only is on
+    if (devices.empty() && phrase.pronoun && on >= 0) {
+      for (const Symbol device : {kSinkKnob, kMicrowave, kTv_1, kStove})
+        if (resolver_.exists(device) && (on == 1 || is_on(device))) devices.push_back(device);
+      if (devices.size() > 1) devices.clear();
+    }
     if (devices.empty()) {
       if (any) continue;
       return unknown_thing(phrase, Sort::kDevice);

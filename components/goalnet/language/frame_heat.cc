@@ -21,6 +21,12 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
   }
   const Symbol content = mentioned_content(clause, Role::kDirect);
   const NounPhrase* thing = clause.first(Role::kDirect);
+  if (thing != nullptr && thing->bare() && thing->some) {  // "heat some in the kettle": water
+    Clause water = clause;
+    for (NounPhrase& phrase : water.phrases)
+      if (phrase.role == Role::kDirect) phrase.phrase = phrase.word = "water";
+    return heat(water, boil);
+  }
   Objects objects;
   const bool named_vessel = thing != nullptr && !thing->content.empty();
   if (named_vessel) {  // "cook me a bowl of ramen": nothing holds any yet

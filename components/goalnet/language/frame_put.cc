@@ -67,7 +67,10 @@ std::string FrameActions::put(const Clause& said) {
     for (NounPhrase& phrase : clause.phrases)
       if (phrase.role == Role::kWith && !phrase.bare() && !phrase.pronoun &&
           !resolver_.options(phrase, Sort::kMovable, now_).empty()) {
-        phrase.role = Role::kDestination, phrase.where = Where::kNear;
+        const Symbol beside = resolver_.options(phrase, Sort::kMovable, now_).front();
+        const bool rubbish =
+            beside == kGarbageBin_1 || beside == kGarbageBag_1;  // "put the beer with the rubbish"
+        phrase.role = Role::kDestination, phrase.where = rubbish ? Where::kIn : Where::kNear;
         destination = &phrase;
         break;
       }

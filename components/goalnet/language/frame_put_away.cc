@@ -26,6 +26,10 @@ std::string FrameActions::put_without_place(const Clause& clause) {
       if (problem = keep(object, kSink, Where::kOn); !problem.empty()) return problem;
     return {};
   }
+  if (clause.has_particle("in") && thing != nullptr && !thing->pronoun && !thing->bare()) {  // "disc in"
+    const auto discs = resolver_.options(*thing, Sort::kMovable, now_);
+    if (!discs.empty() && resolver_.is_of_class(discs.front(), "cd")) return insert(clause);
+  }
   // "water in": into what was spoken of last
   if ((clause.has_particle("in") || clause.has_particle("into")) && thing != nullptr &&
       clause.verb == "put" && !history_.empty()) {

@@ -67,6 +67,18 @@ std::string FrameActions::swap(const Clause& clause) {
       if (!found.empty()) two.push_back(found.front());
     }
   }
+  if (const auto second = clause.phrases.size() > 1 ? clause.phrases[1] : NounPhrase{};
+      two.empty() && thing != nullptr && !thing->at.empty() && second.role == Role::kDirect &&
+      lexicon_place(second)) {
+    for (const NounPhrase& place :
+         {thing->at.front(), second}) {  // "switch the pillows on armchair 1 and armchair 2"
+      NounPhrase one = *thing;
+      one.plural = false, one.count = 0, one.all = false;
+      one.at = {place};
+      const auto found = resolver_.options(one, Sort::kMovable, now_);
+      if (!found.empty()) two.push_back(found.front());
+    }
+  }
   if (two.empty()) {
     two = direct(clause, Sort::kMovable, problem);
     const auto with = role_objects(clause, Role::kWith, Sort::kMovable, problem);

@@ -50,6 +50,11 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     (in_place_ ? last_place_ : last_thing_) = phrase.phrase;
     return after(i, end, phrase);
   }
+  if (word == "one" && i > 0 && (words_.text[i - 1] == "that" || words_.text[i - 1] == "this") &&
+      !words_.plural[i]) {
+    phrase.pronoun = true, phrase.word = "that";  // "bring me that one"
+    return after(i + 1, end, phrase);
+  }
   if (word == "one" && (determined || !phrase.adjectives.empty())) {
     phrase.phrase = one(), phrase.word = "one", phrase.plural = words_.plural[i];
     if (phrase.phrase.empty()) phrase.pronoun = true;

@@ -53,10 +53,10 @@ inline constexpr std::array kLying = {
     "are"sv,       "was"sv,      "were"sv,    "all"sv,    "already"sv, "laying"sv};
 
 // What sentences that only tell something begin with.
-inline constexpr std::array kSubjects = {"i"sv,        "we"sv,      "he"sv,       "she"sv,       "they"sv,
-                                         "it"sv,       "this"sv,    "that"sv,     "there"sv,     "nobody"sv,
-                                         "somebody"sv, "someone"sv, "everyone"sv, "everybody"sv, "nothing"sv,
-                                         "these"sv,    "those"sv,   "you"sv,      "whoever"sv};
+inline constexpr std::array kSubjects = {
+    "i"sv,       "we"sv,    "he"sv,     "she"sv,      "they"sv,    "it"sv,       "this"sv,
+    "that"sv,    "there"sv, "nobody"sv, "somebody"sv, "someone"sv, "everyone"sv, "everybody"sv,
+    "nothing"sv, "these"sv, "those"sv,  "you"sv,      "whoever"sv, "something"sv};
 
 // What rewriting leaves where a sentence takes a turn.
 inline constexpr std::array kTurns = {"correction"sv, "do_that"sv, "hint"sv, "wish_to"sv};

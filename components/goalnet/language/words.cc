@@ -131,6 +131,29 @@ void ask_politely(std::vector<std::string>& text) {
   }
 }
 
+// "be a good lad and get the spoon", "be an angel and ...".
+void be_so_good(std::vector<std::string>& text) {
+  constexpr std::size_t kFarthest = 6;
+  for (std::size_t i = 0; i + 3 < text.size(); ++i) {
+    if (text[i] != "be" || (text[i + 1] != "a" && text[i + 1] != "an" && text[i + 1] != "the")) continue;
+    for (std::size_t k = i + 2; k < text.size() && k < i + kFarthest && text[k] != "," && text[k] != "."; ++k)
+      if (text[k] == "and") {
+        text[i] = "please";
+        text.erase(text.begin() + static_cast<long>(i) + 1, text.begin() + static_cast<long>(k) + 1);
+        break;
+      }
+  }
+}
+
+// "mmm", "ssh", "brr": one or two letters, none of them a vowel.
+bool is_sound(const std::string& word) {
+  std::string letters = word;
+  std::sort(letters.begin(), letters.end());
+  letters.erase(std::unique(letters.begin(), letters.end()), letters.end());
+  return word.size() > 2 && letters.size() <= 2 &&
+         letters.find_first_of("aeiouy0123456789") == std::string::npos;
+}
+
 // "something to stir my coffee with" is a spoon.
 void name_tools(std::vector<std::string>& text) {
   constexpr std::size_t kFarthest = 10;
@@ -207,6 +230,8 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   for (const std::string& token : mended) {
     if (language.known(token)) {
       text.push_back(token);
+    } else if (is_sound(token)) {
+      continue;
     } else if (const std::string& other = language.synonym(token); other != token) {
       text.push_back(other);
       ++words.synonyms;
@@ -225,6 +250,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   speak_for_others(text, language);
   repeat_numbered(text, language);
   ask_politely(text);
+  be_so_good(text);
   name_tools(text);
   // Rules may speak of where a sentence begins and ends.
   if (text.empty() || text.back() != ".") text.emplace_back(".");
