@@ -39,7 +39,7 @@ Image render(const World& world, const Camera& camera) {
       std::array<double, 3> color = {0.78, 0.84, 0.9};
       if (!hit.name.empty()) {
         const Eigen::Vector3d start = hit.point + 0.003 * hit.normal;
-        const bool shadow = !world.ray(start, start + 4.0 * sun).name.empty();
+        const bool shadow = !world.ray(start, start + 4.0 * sun, true).name.empty();
         color = shade(hit, direction, shadow);
       }
       for (double channel : color) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+
 #include "components/robot/joint_order.h"
 #include "sim/bullet_convert.h"
 #include "sim/device_rules.h"
@@ -192,6 +194,7 @@ Expected<std::unique_ptr<World>> World::create(const scene::Scene& scene, const 
     if (robot.joints[i].name == robot.base.yaw) q += scene.robot_start.z();
     world->set_robot_position(i, q);
   }
+  world->parts_->physics.world().updateAabbs();  // rays find the robot before the first step, too
   world->parts_->run_rules(0.0);
   return world;
 }
@@ -317,7 +320,7 @@ void World::disable_device(std::string_view subject, bool dead) {
   parts_->rules.disable(std::string(subject), dead);
 }
 
-World::RayHit World::ray(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+World::RayHit World::ray(const Eigen::Vector3d& from, const Eigen::Vector3d& to, bool grazing) const {
   struct Callback : btCollisionWorld::ClosestRayResultCallback {
     using ClosestRayResultCallback::ClosestRayResultCallback;
     int child = 0;
@@ -329,6 +332,7 @@ World::RayHit World::ray(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
   Callback callback(to_bullet(from), to_bullet(to));
   callback.m_collisionFilterGroup = kStaticGroup | kRobotGroup | kObjectGroup | kPartGroup;
   callback.m_collisionFilterMask = callback.m_collisionFilterGroup;
+  if (grazing) callback.m_flags |= btTriangleRaycastCallback::kF_UseGjkConvexCastRaytest;
   parts_->physics.world().rayTest(to_bullet(from), to_bullet(to), callback);
   RayHit hit;
   if (!callback.hasHit()) return hit;

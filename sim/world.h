@@ -93,7 +93,9 @@ class World {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     std::array<double, 3> color = {0, 0, 0};
   };
-  RayHit ray(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  // `grazing`: exact along surfaces, where the usual way hits at random; its normals at edges are worse, and
+  // it takes longer.
+  RayHit ray(const Eigen::Vector3d& from, const Eigen::Vector3d& to, bool grazing = false) const;
 
   const scene::Scene& scene() const;
   const robot::RobotModel& robot() const;

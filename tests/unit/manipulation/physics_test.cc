@@ -86,5 +86,41 @@ TEST(ManipulationPhysics, AFrozenJointEndsInAFault) {
   EXPECT_FALSE(result.result.message.empty());
 }
 
+// What stands below the robot's arms falls asleep all the same, and wakes when touched.
+TEST(ManipulationPhysics, ThingsNearTheRobotComeToRest) {
+  const auto harness = kitchen(1);
+  expect_done(*harness, {"grasp", {"Mug_1"}});
+  expect_done(*harness, {"keep-on", {"Mug_1", "Sink"}});
+  harness->wait(1.0);
+  std::size_t mug = 0;
+  const auto& objects = harness->world().scene().objects;
+  while (objects[mug].name != "Mug_1") ++mug;
+  EXPECT_TRUE(harness->world().at_rest(mug));
+  const double before = harness->world().object_pose(mug).translation().x();
+  expect_done(*harness, {"grasp", {"Mug_1"}});
+  EXPECT_FALSE(harness->world().at_rest(mug));
+  EXPECT_EQ(harness->world().held().size(), 1u);
+  EXPECT_LT(std::abs(harness->world().object_pose(mug).translation().x() - before), 0.2);
+}
+
+TEST(ManipulationPhysics, WhatDoesNotFitStaysInTheHand) {
+  const auto harness = std::move(PhysicsHarness::create("living_room", "default", 1).value());
+  expect_done(*harness, {"grasp", {"Plate_1"}});
+  const auto result = harness->run({"keep-in", {"Plate_1", "GarbageBag_1"}});
+  EXPECT_EQ(result.result.outcome, Outcome::kMotionFailed);
+  EXPECT_NE(result.result.message.find("does not fit"), std::string::npos) << result.result.message;
+  EXPECT_EQ(harness->world().held().size(), 1u);
+}
+
+TEST(ManipulationPhysics, ASpoonIsPutDownAnywhereAndTakenUpAgain) {
+  const auto harness = kitchen(2);
+  expect_done(*harness, {"grasp", {"Spoon_1"}});
+  expect_done(*harness, {"stow", {"Spoon_1"}});
+  expect_done(*harness, {"unstow", {"Spoon_1"}});
+  expect_done(*harness, {"release", {"Spoon_1"}});
+  expect_done(*harness, {"grasp", {"Spoon_1"}});
+  EXPECT_EQ(harness->world().held().size(), 1u);
+}
+
 }  // namespace
 }  // namespace goalnet::manipulation
