@@ -5,10 +5,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "components/ros/bag/compression.h"
+
 namespace goalnet::ros {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr std::size_t kLargestMessage = std::size_t{256} << 20;  // [bytes], as of chunks
 
 }  // namespace
 
@@ -37,14 +40,13 @@ Expected<BagMetadata> read_bag_metadata(const std::string& directory) {
 Expected<std::unique_ptr<BagReader>> BagReader::open(const std::string& path) {
   std::error_code error;
   std::vector<File> files;
+  auto compression = BagCompression::kNone;
   if (fs::is_directory(path, error)) {
     const auto metadata = read_bag_metadata(path);
     if (!metadata) return tl::unexpected(metadata.error());
-    if (!metadata->compression_mode.empty()) {
-      return fail(Outcome::kInvalidRequest,
-                  path + " is compressed by rosbag2 (" + metadata->compression_mode +
-                      " mode), which is not read here; \"ros2 bag convert\" undoes it");
-    }
+    const auto found = bag_compression(*metadata);
+    if (!found) return fail(Outcome::kInvalidRequest, path + ": " + found.error().message);
+    compression = *found;
     for (const BagFile& file : metadata->files)
       files.push_back({(fs::path(path) / file.path).string(), metadata->storage});
     if (files.empty()) return fail(Outcome::kInvalidRequest, path + " lists no files");
@@ -56,7 +58,7 @@ Expected<std::unique_ptr<BagReader>> BagReader::open(const std::string& path) {
                             ? " is no bag: a directory with metadata.yaml, or an .mcap or .db3 file"
                             : " does not exist"));
   }
-  std::unique_ptr<BagReader> reader(new BagReader(std::move(files)));
+  std::unique_ptr<BagReader> reader(new BagReader(std::move(files), compression));
   // All files once, so that all topics are known and a missing file is told before anything is played.
   for (std::size_t i = reader->files_.size(); i-- > 0;) {
     if (auto opened = reader->open_file_at(i); !opened)
@@ -66,9 +68,22 @@ Expected<std::unique_ptr<BagReader>> BagReader::open(const std::string& path) {
 }
 
 Expected<void> BagReader::open_file_at(std::size_t index) {
-  auto reader = open_bag_file(files_[index].path, files_[index].storage);
-  if (!reader) return tl::unexpected<Error>(std::move(reader.error()));
+  const File& file = files_[index];
+  std::unique_ptr<TemporaryFile> plain;
+  // A crash may leave the last file as it was, not compressed yet.
+  if (compression_ == BagCompression::kFiles && file.path.ends_with(".zstd")) {
+    auto made = decompress_file(file.path, file.storage == BagStorage::kMcap ? ".mcap" : ".db3");
+    if (!made) return tl::unexpected<Error>(std::move(made.error()));
+    plain = std::move(*made);
+  }
+  auto reader = open_bag_file(plain ? plain->path() : file.path, file.storage);
+  if (!reader) {
+    Error error = std::move(reader.error());
+    if (plain) error.message = file.path + ", decompressed: " + error.message;
+    return tl::unexpected<Error>(std::move(error));
+  }
   reader_ = std::move(*reader);
+  plain_ = std::move(plain);
   current_ = index;
   finished_ = finished_ && reader_->finished();
   topic_map_.clear();
@@ -88,6 +103,14 @@ Expected<bool> BagReader::next(BagMessage& message) {
     if (!more) return more;
     if (*more) {
       message.topic = topic_map_[message.topic];
+      if (compression_ != BagCompression::kMessages) return true;
+      auto payload = decompress_frame(message.payload, kLargestMessage);
+      if (!payload) {
+        return fail(Outcome::kInvalidRequest, files_[current_].path + ": a message of " +
+                                                  topics_[message.topic].name + ": " +
+                                                  payload.error().message);
+      }
+      message.payload = std::move(*payload);
       return true;
     }
     if (current_ + 1 >= files_.size()) return false;

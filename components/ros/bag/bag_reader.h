@@ -7,6 +7,7 @@
 
 #include "components/core/outcome.h"
 #include "components/ros/bag/bag_metadata.h"
+#include "components/ros/bag/compressed_file.h"
 #include "components/ros/bag/storage_reader.h"
 
 namespace goalnet::ros {
@@ -15,7 +16,7 @@ namespace goalnet::ros {
 class BagReader {
  public:
   // `path`: a directory with metadata.yaml, or an .mcap or .db3 file. Reads what both distributions record,
-  // MCAP and SQLite; not rosbag2's own compression of whole files or messages.
+  // MCAP and SQLite, also with rosbag2's own compression of whole files or of messages (zstd).
   static Expected<std::unique_ptr<BagReader>> open(const std::string& path);
 
   const std::vector<BagTopic>& topics() const { return topics_; }
@@ -31,10 +32,13 @@ class BagReader {
     std::string path;
     BagStorage storage;
   };
-  explicit BagReader(std::vector<File> files) : files_(std::move(files)) {}
+  BagReader(std::vector<File> files, BagCompression compression)
+      : files_(std::move(files)), compression_(compression) {}
   Expected<void> open_file_at(std::size_t index);
 
   std::vector<File> files_;
+  BagCompression compression_;
+  std::unique_ptr<TemporaryFile> plain_;  // the current file, where it was compressed
   std::vector<BagTopic> topics_;
   std::size_t current_ = 0;
   std::unique_ptr<StorageReader> reader_;

@@ -34,6 +34,16 @@ std::vector<std::uint8_t> compress_zstd(std::span<const std::uint8_t> bytes) {
   return out;
 }
 
+Expected<std::vector<std::uint8_t>> decompress_frame(std::span<const std::uint8_t> bytes,
+                                                     std::size_t largest) {
+  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (size == ZSTD_CONTENTSIZE_ERROR) return fail(Outcome::kInvalidRequest, "it is not compressed with zstd");
+  if (size == ZSTD_CONTENTSIZE_UNKNOWN)
+    return fail(Outcome::kInvalidRequest, "its zstd data do not tell their size");
+  if (size > largest) return fail(Outcome::kInvalidRequest, "it decompresses to more than is read");
+  return decompress("zstd", bytes, static_cast<std::size_t>(size));
+}
+
 Expected<std::vector<std::uint8_t>> decompress(std::string_view name, std::span<const std::uint8_t> bytes,
                                                std::size_t size) {
   if (name.empty()) {

@@ -1,4 +1,4 @@
-// Compression of MCAP chunks: zstd and lz4 (frame format).
+// Compression of MCAP chunks, zstd and lz4 (frame format), and of single messages.
 #pragma once
 
 #include <cstdint>
@@ -16,5 +16,9 @@ std::vector<std::uint8_t> compress_zstd(std::span<const std::uint8_t> bytes);
 // decompress to that.
 Expected<std::vector<std::uint8_t>> decompress(std::string_view name, std::span<const std::uint8_t> bytes,
                                                std::size_t size);
+
+// One zstd frame of any size up to `largest`; kInvalidRequest for anything else.
+Expected<std::vector<std::uint8_t>> decompress_frame(std::span<const std::uint8_t> bytes,
+                                                     std::size_t largest);
 
 }  // namespace goalnet::ros
