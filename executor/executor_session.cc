@@ -118,18 +118,20 @@ void ExecutorSession::on_command(const std_msgs::msg::String& message) {
   } else if (message.data() == "reset") {
     executor_.reset();
   } else {
-    node_.log().warn("unknown executor command '{}'; there are stop, emergency_stop and reset",
-                     message.data().substr(0, 40));
+    unknown_lines_.write([&](const std::string& more) {
+      node_.log().warn("unknown executor command '{}'; there are stop, emergency_stop and reset{}",
+                       message.data().substr(0, 40), more);
+    });
     return;
   }
-  node_.log().info("command: {}", message.data());
+  command_lines_.write(
+      [&](const std::string& more) { node_.log().info("command: {}{}", message.data(), more); });
 }
 
 void ExecutorSession::on_joint_states(const sensor_msgs::msg::JointState& message) {
   if (const auto read = reader_.read(message); !read) {
-    // One line for the first of a flood, then one for every thousand.
-    if (bad_joint_states_++ % 1000 == 0)
-      node_.log().warn("{} ({} so far)", read.error().message, bad_joint_states_);
+    joint_state_lines_.write(
+        [&](const std::string& more) { node_.log().warn("{}{}", read.error().message, more); });
     return;
   }
   if (reader_.complete()) loop_->set_measured(reader_.sample());
@@ -156,7 +158,7 @@ void ExecutorSession::report() {
 }
 
 void ExecutorSession::refuse(std::int64_t stamp_ns, Outcome outcome, const std::string& message) {
-  node_.log().warn("{}", message);
+  refusal_lines_.write([&](const std::string& more) { node_.log().warn("{}{}", message, more); });
   refused_lately_ = true;
   ExecutorStatus answer = executor_.status();
   answer.trajectory_stamp_ns = stamp_ns;

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "components/core/outcome.h"
+#include "components/ros/log_limit.h"
 #include "components/ros/node.h"
 #include "executor/executor_parameters.h"
 #include "executor/joint_messages.h"
@@ -62,7 +63,7 @@ class ExecutorSession {
   std::optional<ExecutorStatus> reported_;
   bool refused_lately_ = false;
   std::int64_t last_stamp_ = 0;  // of the trajectory taken or refused last
-  std::uint64_t bad_joint_states_ = 0;
+  ros::LogLimit unknown_lines_, command_lines_, joint_state_lines_, refusal_lines_;
   std::unique_ptr<WallClockLoop> loop_;  // last: its threads end first
 };
 

@@ -137,9 +137,11 @@ void CoordinatorSession::report(const Report& report) {
   const std::string outcome(goalnet::to_string(report.outcome));
   if (static_cast<int>(report.outcome) >= static_cast<int>(Outcome::kMotionFailed)) {
     node_.log().error("instruction {} ended: {}: {}", report.id, outcome, report.message);
-  } else {
-    node_.log().info("instruction {} ended: {}: {}", report.id, outcome, report.message);
+    return;
   }
+  end_lines_.write([&](const std::string& more) {  // a flood of instructions is refused one by one
+    node_.log().info("instruction {} ended: {}: {}{}", report.id, outcome, report.message, more);
+  });
 }
 
 void CoordinatorSession::on_instruction(const std_msgs::msg::String& message) {
@@ -147,23 +149,26 @@ void CoordinatorSession::on_instruction(const std_msgs::msg::String& message) {
   static_cast<void>(coordinator_.instruct(message.data(), 0, now()));
 }
 
+void CoordinatorSession::complain(const char* topic, const std::string& what) {
+  bad_messages_.write([&](const std::string& more) { node_.log().warn("{}: {}{}", topic, what, more); });
+}
+
 void CoordinatorSession::on_given_goal(const GoalPredicates& message) {
   const auto goal = messages::goal_from_message(message);
-  if (!goal) return node_.log().warn("/goal: {}", goal.error().message);
+  if (!goal) return complain("/goal", goal.error().message);
   static_cast<void>(coordinator_.pursue(*goal, now()));
 }
 
 void CoordinatorSession::on_goal_predicates(const GoalPredicates& message) {
   const auto goal = messages::goal_from_message(message);
-  if (!goal) return node_.log().warn("/goal_predicates: {}", goal.error().message);
+  if (!goal) return complain("/goal_predicates", goal.error().message);
   coordinator_.on_goal({message.instruction_id(), message.step(), *goal, message.complete(),
                         outcome_from_int(message.outcome()), message.message()},
                        now());
 }
 
 void CoordinatorSession::on_plan(const goalnet_msgs::msg::Plan& message) {
-  if (message.actions().size() > messages::kMaxActions)
-    return node_.log().warn("/plan: too many actions; dropped");
+  if (message.actions().size() > messages::kMaxActions) return complain("/plan", "too many actions; dropped");
   coordinator_.on_plan({message.instruction_id(), message.step(), messages::from_message(message.actions()),
                         outcome_from_int(message.outcome()), message.message()},
                        now());
@@ -178,7 +183,7 @@ void CoordinatorSession::on_action_status(const ActionStatus& message) {
 
 void CoordinatorSession::on_world_state(const goalnet_msgs::msg::WorldState& message) {
   auto world = messages::from_message(message);
-  if (!world) return node_.log().warn("/world_state: {}", world.error().message);
+  if (!world) return complain("/world_state", world.error().message);
   coordinator_.on_world(std::move(*world), messages::to_nanoseconds(message.header().stamp()), now());
 }
 

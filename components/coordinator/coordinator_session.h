@@ -7,6 +7,7 @@
 
 #include "components/coordinator/coordinator.h"
 #include "components/coordinator/follow_instruction.h"
+#include "components/ros/log_limit.h"
 #include "components/ros/node.h"
 #include "goalnet_msgs/msg/ActionRequest.h"
 #include "goalnet_msgs/msg/ActionStatus.h"
@@ -54,6 +55,7 @@ class CoordinatorSession : private Port {
   void report(const Report& report) override;
 
   void on_instruction(const std_msgs::msg::String& message);
+  void complain(const char* topic, const std::string& what);
   void on_given_goal(const goalnet_msgs::msg::GoalPredicates& message);
   void on_goal_predicates(const goalnet_msgs::msg::GoalPredicates& message);
   void on_plan(const goalnet_msgs::msg::Plan& message);
@@ -65,6 +67,7 @@ class CoordinatorSession : private Port {
 
   ros::Node& node_;
   Coordinator coordinator_;
+  ros::LogLimit bad_messages_, end_lines_;
   std::uint64_t finished_id_ = 0;  // the last instruction whose end was logged
 
   std::shared_ptr<ros::Publisher<goalnet_msgs::msg::StepRequest>> step_request_;

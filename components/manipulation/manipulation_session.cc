@@ -110,8 +110,10 @@ void ManipulationSession::open_topics() {
 template <class Message>
 void ManipulationSession::perceive(const char* topic, const Message& message) {
   const auto taken = perception_.take(message);
-  if (taken || bad_messages_++ % 1000 != 0) return;  // one line for the first of a flood
-  node_.log().warn("{} dropped: {} ({} so far)", topic, taken.error().message, bad_messages_);
+  if (taken) return;
+  bad_messages_.write([&](const std::string& more) {
+    node_.log().warn("{} dropped: {}{}", topic, taken.error().message, more);
+  });
 }
 
 void ManipulationSession::on_executor_status(const goalnet_msgs::msg::ExecutorStatus& message) {

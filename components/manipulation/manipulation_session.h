@@ -16,6 +16,7 @@
 
 #include "components/manipulation/action_runner.h"
 #include "components/manipulation/perception.h"
+#include "components/ros/log_limit.h"
 #include "components/ros/node.h"
 #include "goalnet_msgs/msg/ActionRequest.h"
 #include "goalnet_msgs/msg/ActionStatus.h"
@@ -68,7 +69,7 @@ class ManipulationSession {
   std::optional<goalnet_msgs::msg::ActionStatus> last_;      // how the last one ended
   std::string reported_stage_;
   ros::Time reported_at_;
-  std::uint64_t bad_messages_ = 0;
+  ros::LogLimit bad_messages_;
 
   std::shared_ptr<ros::Publisher<goalnet_msgs::msg::ActionStatus>> status_;
   std::shared_ptr<ros::Publisher<trajectory_msgs::msg::JointTrajectory>> trajectory_;

@@ -118,7 +118,10 @@ void PlannerNode::on_newer(const GoalPredicates& message) {
 
 void PlannerNode::on_world(const goalnet_msgs::msg::WorldState& message) {
   auto world = messages::from_message(message);
-  if (!world) return node_.log().warn("world_state: {}", world.error().message);
+  if (!world) {
+    return bad_worlds_.write(
+        [&](const std::string& more) { node_.log().warn("world_state: {}{}", world.error().message, more); });
+  }
   world_ = std::move(*world);
   if (waiting_ && !search_) start(*std::exchange(waiting_, {}));
 }

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "components/planner/planner.h"
+#include "components/ros/log_limit.h"
 #include "components/ros/managed_component.h"
 #include "goalnet_msgs/msg/CancelInstruction.h"
 #include "goalnet_msgs/msg/GoalPredicates.h"
@@ -93,6 +94,7 @@ class PlannerNode : public ros::ManagedComponent {
   std::uint64_t instruction_ = 0;             // that is planned for now
   std::array<std::uint64_t, 8> cancelled_{};  // the last ones that nobody wants a plan for any more
   std::size_t next_cancelled_ = 0;
+  ros::LogLimit bad_worlds_;
   std::optional<WorldState> world_;
   std::optional<goalnet_msgs::msg::GoalPredicates> waiting_;  // for a world, or for the search to end
   std::shared_ptr<Search> search_;                            // that runs in thread_

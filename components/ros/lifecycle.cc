@@ -1,5 +1,6 @@
 #include "components/ros/lifecycle.h"
 
+#include "components/ros/log_limit.h"
 #include "components/ros/service.h"
 #include "lifecycle_msgs/msg/TransitionEvent.h"
 #include "lifecycle_msgs/srv/ChangeState_service.h"
@@ -40,6 +41,7 @@ struct Lifecycle::Impl {
   std::unique_ptr<Server<srv::GetAvailableStates>> get_states;
   std::unique_ptr<Server<srv::GetAvailableTransitions>> get_transitions;
   std::unique_ptr<Server<srv::GetAvailableTransitions>> get_graph;
+  LogLimit refusals;
 
   Impl(Node& n, LifecycleCallbacks c) : node(n), callbacks(std::move(c)) {}
 
@@ -81,7 +83,11 @@ struct Lifecycle::Impl {
   bool change(std::uint8_t id, std::string_view name) {
     const auto transition = find_transition(state, id, name);
     if (!transition) {
-      node.log().warn("transition {} '{}' is not possible in state {}", id, name, label(state));
+      // Whoever asks in a loop is answered every time, but not written down every time.
+      refusals.write([&](const std::string& more) {
+        node.log().warn("transition {} '{}' is not possible in state {}{}", id, name.substr(0, 60),
+                        label(state), more);
+      });
       return false;
     }
     const LifecycleState from = state;

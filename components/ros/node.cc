@@ -88,7 +88,9 @@ void Node::take_arguments(const Arguments& arguments) {
                        value_or_throw(expand_name(remap.to, namespace_, name_))});
   }
   for (const ParameterOverride& parameter : arguments.parameters) {
-    if (!matches_node(parameter.node, full_name_)) continue;
+    // -p NODE:NAME:=VALUE names the node without its namespace, as remapping rules do.
+    const bool by_name = parameter.origin == "-p" && parameter.node == name_;
+    if (!by_name && !matches_node(parameter.node, full_name_)) continue;
     parameters_.set_override(parameter.name, parameter.value, parameter.origin);
   }
   if (arguments.log_level) logger_->set_level(*arguments.log_level);

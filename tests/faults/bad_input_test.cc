@@ -123,6 +123,12 @@ TEST_F(BadInput, MalformedPddl) {
 
 TEST_F(BadInput, MalformedRosArguments) {
   expect_refused(run({"open the microwave", "--ros-args", "-p", "no-value"}), "no-value");
+  expect_refused(run({"open the microwave", "--ros-args", "-p", "node_limitt:=5"}),
+                 "did you mean node_limit (of planner)?");
+  expect_refused(run({"open the microwave", "--ros-args", "-p", "plannr:node_limit:=5"}),
+                 "there is no node 'plannr' (did you mean planner?)");
+  expect_refused(run({"open the microwave", "--ros-args", "-p", "coordinator:node_limit:=5"}),
+                 "coordinator has no such parameter");
 }
 
 TEST_F(BadInput, MalformedGoal) {

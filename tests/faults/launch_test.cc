@@ -55,6 +55,37 @@ class Launch : public testing::Test {
       (std::filesystem::temp_directory_path() / ("launch_" + std::to_string(getpid()) + ".yaml")).string();
 };
 
+// It has not ended, but it does nothing any more: its event loop no longer answers.
+TEST_F(Launch, StartsASilentComponentAgain) {
+  const auto launch = start(R"(
+restart: {delay: 0.05, silent_after: 3}
+processes:
+  thinker: {component: planner}
+  bystander: {command: [sh, -c, "exec sleep 100"]}
+)");
+  ASSERT_TRUE(launch->wait_for_text("planner is up", 30s));
+  usleep(3'000'000);  // it has been heard
+  const int stopped = pid_of(*launch, "thinker");
+  ASSERT_GT(stopped, 0);
+  EXPECT_THAT(told(launch->out()), ElementsAre("thinker started", "bystander started"))
+      << "who answers is left alone";
+  kill(stopped, SIGSTOP);
+  ASSERT_TRUE(launch->wait_for_text("\"silent\"", 30s));
+  for (int i = 0; i < 3000 && pid_of(*launch, "thinker") == stopped; ++i) usleep(10'000);
+  const int again = pid_of(*launch, "thinker");
+  EXPECT_NE(again, stopped);
+  launch->signal(SIGTERM);
+  const ProcessResult result = launch->wait(20s);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const auto all = told(result.out);
+  ASSERT_GE(all.size(), 6u) << result.out;
+  EXPECT_THAT(std::vector<std::string>(all.begin(), all.begin() + 6),
+              ElementsAre("thinker started", "bystander started", "thinker silent", "thinker ended",
+                          "thinker restarting", "thinker started"));
+  EXPECT_EQ(events(result.out)[3]["exit_code"], 137);
+  EXPECT_FALSE(alive(stopped));
+}
+
 TEST_F(Launch, StartsAKilledChildAgainAndEndsAllInOrder) {
   const auto launch = start(R"(
 restart: {delay: 0.05}

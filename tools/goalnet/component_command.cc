@@ -9,6 +9,7 @@
 #include "components/ros/arguments.h"
 #include "components/ros/managed_component.h"
 #include "tools/goalnet/component_registry.h"
+#include "tools/goalnet/parameter_check.h"
 #include "tools/goalnet/stop_signal.h"
 
 namespace goalnet::tools {
@@ -33,6 +34,9 @@ void print_help() {
                 static_cast<int>(kind.summary.size()), kind.summary.data());
   }
   std::puts(
+      "\n-p NAME:=VALUE sets a parameter, -p NODE:NAME:=VALUE only on the node of that name; a NAME that the "
+      "component\n"
+      "does not have is refused.\n"
       "\nExamples:\n"
       "  goalnet component planner\n"
       "  goalnet component simulator --ros-args -p scene:=kitchen -p seed:=3\n"
@@ -62,8 +66,7 @@ int refuse(const std::string& message) {
   return static_cast<int>(Outcome::kInvalidRequest);
 }
 
-// A slip in a name would otherwise be silently without effect. What stands in a file for all nodes may well
-// mean others.
+// What stands in a file for all nodes may well mean others, so this is no error.
 void warn_of_unused(ros::Node& node) {
   for (const std::string& name : node.parameters().unused_overrides())
     node.log().warn("parameter {} is not known to this node", name);
@@ -91,6 +94,8 @@ int run(const ComponentKind& kind, const ros::Arguments& arguments) {
     return static_cast<int>(component.error().outcome);
   }
   running = component->get();
+  if (auto known = check_given_parameters(arguments, {node->get()}, false); !known)
+    return refuse(known.error().message);
   warn_of_unused(**node);
   (*node)->log().info("{} is {}", std::string(kind.name),
                       (*component)->active() ? "up" : std::string(ros::label((*component)->state())));

@@ -19,6 +19,7 @@
 #include "sim/simulator_node.h"
 #include "std_msgs/msg/String.h"
 #include "tools/goalnet/component_registry.h"
+#include "tools/goalnet/parameter_check.h"
 
 namespace goalnet::tools {
 namespace {
@@ -200,6 +201,10 @@ Expected<std::unique_ptr<LockstepLoop>> LockstepLoop::create(const LoopOptions& 
     return tl::unexpected<Error>(std::move(added.error()));
   if (auto added = impl->add_observer(options); !added)
     return tl::unexpected<Error>(std::move(added.error()));
+  std::vector<ros::Node*> nodes;
+  for (const auto& node : impl->nodes) nodes.push_back(node.get());
+  if (auto known = check_given_parameters(options.arguments, nodes, true); !known)
+    return tl::unexpected<Error>(std::move(known.error()));
   return std::unique_ptr<LockstepLoop>(new LockstepLoop(std::move(impl)));
 }
 

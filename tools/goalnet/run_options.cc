@@ -16,6 +16,10 @@ constexpr const char* kFooter =
     "  goalnet run --seed 3 --json \"open the microwave\"\n"
     "  goalnet run --goal \"(On Mug_1 Sink)\" --goal \"not (state SinkKnob TapIsOn)\"\n"
     "\n"
+    "After --ros-args, -p NAME:=VALUE sets the parameter on every component that has it, -p NODE:NAME:=VALUE on one:\n"
+    "  goalnet run \"open the microwave\" --ros-args -p planner:node_limit:=5000 -p world_model:rate:=20.0\n"
+    "\"goalnet component NAME --show-parameters\" lists them.\n"
+    "\n"
     "The components speak DDS on ROS_DOMAIN_ID, so \"ros2 topic echo /world_state\" shows the run.\n"
     "Ctrl-C stops the robot smoothly and ends with code 22.";
 

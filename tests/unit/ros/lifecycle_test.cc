@@ -7,12 +7,14 @@
 #include <cmath>
 
 #include "components/ros/diagnostics.h"
+#include "components/ros/log_limit.h"
 #include "components/ros/service.h"
 #include "lifecycle_msgs/msg/TransitionEvent.h"
 #include "lifecycle_msgs/srv/ChangeState_service.h"
 #include "lifecycle_msgs/srv/GetAvailableStates_service.h"
 #include "lifecycle_msgs/srv/GetAvailableTransitions_service.h"
 #include "lifecycle_msgs/srv/GetState_service.h"
+#include "rcl_interfaces/msg/Log.h"
 #include "tests/unit/ros/support.h"
 
 namespace goalnet::ros {
@@ -113,6 +115,30 @@ TEST_F(LifecycleTest, OverServicesWithEvents) {
   EXPECT_THAT(work, ElementsAre("configure", "activate", "shutdown from active"));
   EXPECT_THAT(events, ElementsAre("unconfigured>configuring", "configuring>inactive", "inactive>activating",
                                   "activating>active", "active>shuttingdown", "shuttingdown>finalized"));
+}
+
+TEST_F(LifecycleTest, AFloodOfIllegalRequestsIsAnsweredButNotWrittenDown) {
+  Lifecycle lifecycle(node, {});
+  Node tool(*context, loop, plain("tool"));
+  int lines = 0;
+  auto log = tool.subscribe<rcl_interfaces::msg::Log>("/rosout", Qos::rosout(), [&](const auto& record) {
+    lines += record.msg().find("is not possible") != std::string::npos ? 1 : 0;
+  });
+  Client<lifecycle_msgs::srv::ChangeState> change(tool, "/planner/change_state");
+  lifecycle_msgs::srv::ChangeState::Request activate;
+  activate.transition().id(3);
+  const auto start = std::chrono::steady_clock::now();
+  constexpr int kRequests = 300;
+  for (int i = 0; i < kRequests; ++i) {
+    const auto response = change.call_and_run(activate, 5s);
+    ASSERT_TRUE(response) << response.error().message;
+    EXPECT_FALSE(response->success());
+  }
+  loop.run_for(50ms);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_GE(lines, 1);
+  EXPECT_LE(lines, LogLimit::kLines * (1 + static_cast<int>(seconds) + 1));
+  EXPECT_LT(lines, kRequests / 2);
 }
 
 TEST_F(LifecycleTest, FailuresAndErrors) {

@@ -110,6 +110,24 @@ TEST(LaunchFile, ThoseThatAreShippedAreSound) {
               HasSubstr("cannot read the launch file /no/such/file.yaml"));
 }
 
+TEST(LaunchFile, SaysWhichComponentsAreWatchedForSilence) {
+  const auto plan = parse(
+      "restart: {silent_after: 20}\nnamespace: /robot1\nprocesses:\n"
+      "  thinker: {component: planner}\n"
+      "  world: {component: simulator, namespace: /, restart: {silent_after: 0}}\n"
+      "  other: {command: [sh]}\n");
+  ASSERT_TRUE(plan) << plan.error().message;
+  ASSERT_EQ(plan->processes.size(), 3u);
+  EXPECT_EQ(plan->processes[0].node, "/robot1/thinker");
+  EXPECT_EQ(plan->processes[0].restart.silent_after, 20.0);
+  EXPECT_EQ(plan->processes[1].node, "/world");
+  EXPECT_EQ(plan->processes[1].restart.silent_after, 0.0);
+  EXPECT_EQ(plan->processes[2].node, "") << "not a component: nobody to ask";
+  const auto bad = parse("restart: {silent_after: -1}\nprocesses:\n  a: {component: planner}\n");
+  ASSERT_FALSE(bad);
+  EXPECT_THAT(bad.error().message, HasSubstr("silent_after"));
+}
+
 TEST(RestartPolicy, BacksOffAndGivesUp) {
   using Kind = RestartPolicy::Decision::Kind;
   RestartPolicy policy(

@@ -18,6 +18,7 @@
 #include "tools/goalnet/component_registry.h"
 #include "tools/goalnet/launch/launch_file.h"
 #include "tools/goalnet/launch/launcher.h"
+#include "tools/goalnet/launch/life_signs.h"
 #include "tools/goalnet/stop_signal.h"
 
 namespace goalnet::tools {
@@ -28,8 +29,9 @@ constexpr const char* kHelp =
     "\n"
     "Starts the processes that FILE (YAML, or a name in config/launch) lists, puts their names before their "
     "output,\n"
-    "starts them again when they fail (with growing pauses, a limited number of times) and ends them in "
-    "order at\n"
+    "starts them again when they fail, or are silent for longer than restart: {silent_after: S} says (with "
+    "growing\n"
+    "pauses, a limited number of times) and ends them in order at\n"
     "Ctrl-C or SIGTERM. NAME:=VALUE sets an argument of the file. --json: one JSON object a line on standard "
     "output\n"
     "for each thing that happens; the processes' output goes to standard error.\n"
@@ -137,6 +139,16 @@ int launch_command(int argc, char** argv) {
     (error || options->json ? std::cerr : std::cout) << "[" << process << "] " << line << std::endl;
   };
   callbacks.stop_asked = [&] { return stop.requested(); };
+  std::unique_ptr<LifeSigns> signs;
+  const auto watched = [](const LaunchedProcess& process) {
+    return !process.node.empty() && process.restart.silent_after > 0.0;
+  };
+  if (std::any_of(plan->processes.begin(), plan->processes.end(), watched)) {
+    auto made = LifeSigns::watch(*plan);
+    if (!made) return refuse(made.error().message);
+    signs = std::move(*made);
+    callbacks.last_sign = [&](const std::string& node) { return signs->last(node); };
+  }
   const auto done = launch(*plan, callbacks);
   if (done) return 0;
   std::cerr << "goalnet launch: " << done.error().message << "\n";

@@ -60,13 +60,15 @@ class Reader {
       params.when = when(node);
       return params;
     }
-    check_keys(node, "'restart'", {"when", "delay", "longest_delay", "limit", "window"});
+    check_keys(node, "'restart'", {"when", "delay", "longest_delay", "limit", "window", "silent_after"});
     if (node["when"]) params.when = when(node["when"]);
     if (node["delay"]) params.delay = values_.number(node["delay"], "delay", 0.0, 3600.0);
     if (node["longest_delay"])
       params.longest_delay = values_.number(node["longest_delay"], "longest_delay", 0.0, 3600.0);
     if (node["limit"]) params.limit = static_cast<int>(values_.number(node["limit"], "limit", 0.0, 1e6));
     if (node["window"]) params.window = values_.number(node["window"], "window", 0.0, 1e6);
+    if (node["silent_after"])
+      params.silent_after = values_.number(node["silent_after"], "silent_after", 0.0, 1e6);
     return params;
   }
 
@@ -88,7 +90,16 @@ class Reader {
     if (node["component"].IsDefined() == node["command"].IsDefined())
       slip(key, "process '" + name + "' needs either 'component: NAME' or 'command: [PROGRAM, …]'");
     made.command = node["component"] ? component(name, node) : command(node);
+    if (node["component"]) {
+      const std::string space = node_namespace(node);
+      made.node =
+          (space.starts_with("/") ? "" : "/") + space + (space.empty() || space == "/" ? "" : "/") + name;
+    }
     return made;
+  }
+
+  std::string node_namespace(const YAML::Node& node) const {
+    return node["namespace"] ? values_.text(node["namespace"]) : namespace_;
   }
 
   std::vector<std::string> component(const std::string& name, const YAML::Node& node) const {
@@ -101,7 +112,7 @@ class Reader {
       words.push_back(flag);
       words.push_back(value);
     };
-    const std::string space = node["namespace"] ? values_.text(node["namespace"]) : namespace_;
+    const std::string space = node_namespace(node);
     if (!space.empty() && space != "/") {
       add("-r", "__ns:=" + space);
       // Transforms carry the same frame names for every robot.

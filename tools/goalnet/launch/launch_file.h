@@ -4,7 +4,7 @@
 //   namespace: /robot1                       # of all components
 //   use_sim_time: true                       # for all components but the simulator
 //   environment: {GOALNET_ROS_DISTRO: jazzy}
-//   restart: {when: on_failure, delay: 0.5, longest_delay: 8, limit: 5, window: 60}
+//   restart: {when: on_failure, delay: 0.5, longest_delay: 8, limit: 5, window: 60, silent_after: 20}
 //   patience: 3                              # [s] between SIGTERM and SIGKILL at the end
 //   processes:                               # started in this order, stopped in the opposite one
 //     simulator: {component: simulator, parameters: {scene: "${scene}"}}
@@ -23,6 +23,7 @@ namespace goalnet::tools {
 
 struct LaunchedProcess {
   std::string name;
+  std::string node;  // full name of the ROS 2 node it is; "" for other commands
   std::vector<std::string> command;  // the first word is a path that can be executed
   std::map<std::string, std::string> environment;
   RestartParams restart;

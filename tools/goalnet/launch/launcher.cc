@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <utility>
 
 namespace goalnet::tools {
@@ -23,6 +24,8 @@ struct Watched {
   RestartPolicy policy;
   std::optional<ChildProcess> child;
   std::optional<double> start_at;  // waits to be started (again)
+  double started = 0.0;            // [s]
+  bool silent = false;             // and killed for it
 };
 
 class Launcher {
@@ -51,14 +54,33 @@ class Launcher {
   void look_after(Watched& one) {
     hand_on_output(one, false);
     if (one.child) {
-      if (const auto code = one.child->exit_code()) ended(one, *code);
+      if (const auto code = one.child->exit_code()) return ended(one, *code);
+      listen(one);
     } else if (one.start_at && now() >= *one.start_at) {
       start(one);
     }
   }
 
+  // What hangs, or was stopped, does not hear SIGTERM either.
+  void listen(Watched& one) {
+    const double most = one.plan.restart.silent_after;
+    if (most <= 0.0 || one.plan.node.empty() || one.silent || !callbacks_.last_sign) return;
+    // Only who has answered since it was started can fall silent: it may be loading, or not to be found on this network.
+    const double last = callbacks_.last_sign(one.plan.node);
+    const double silence = now() - last;
+    if (last < one.started) return;
+    if (silence <= most) return;
+    one.silent = true;
+    char text[64];
+    std::snprintf(text, sizeof text, "no sign of life for %.1f s", silence);
+    tell({LaunchEvent::Kind::kSilent, one.plan.name, one.child->pid(), 0, 0.0, text});
+    one.child->signal(SIGKILL);
+  }
+
   void start(Watched& one) {
     one.start_at.reset();
+    one.started = now();
+    one.silent = false;
     auto child = ChildProcess::start(one.plan.command, one.plan.environment);
     if (!child) return give_up(one, child.error().message);
     one.child.emplace(std::move(*child));
@@ -141,6 +163,8 @@ const char* to_string(LaunchEvent::Kind kind) {
   switch (kind) {
     case LaunchEvent::Kind::kStarted:
       return "started";
+    case LaunchEvent::Kind::kSilent:
+      return "silent";
     case LaunchEvent::Kind::kEnded:
       return "ended";
     case LaunchEvent::Kind::kRestarting:

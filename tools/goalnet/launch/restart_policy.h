@@ -15,6 +15,7 @@ struct RestartParams {
   double longest_delay = 8.0;  // [s]
   int limit = 5;               // restarts within `window`; then it is given up
   double window = 60.0;        // [s]
+  double silent_after = 0.0;   // [s] without a sign of life until a component is killed and counts as failed; 0: never
 };
 
 class RestartPolicy {
