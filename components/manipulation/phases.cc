@@ -110,8 +110,9 @@ void add_approach(Phases& phases, const ReachSolution& solution, const Reach& re
   phase.stage = "approach";
   phase.plan = [goal = solution.along.front(), lift = solution.stand.lift, arm = reach.arm,
                 opening = reach.opening](Workbench& b) -> Expected<JointTrajectory> {
-    auto motion = b.move_arm(arm, goal, lift);
-    if (!motion || b.held()[arm]) return motion;
+    if (b.held()[arm]) return b.move_arm(arm, goal, lift);
+    auto motion = b.move_arm(arm, goal, lift, opening);
+    if (!motion) return motion;
     return merge(*motion, b.move_fingers(arm, opening));
   };
   phases.push_back(phase);

@@ -41,6 +41,27 @@ std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where w
   return out;
 }
 
+// Spots on the floor around where the hand is now: for what stands on the floor.
+std::vector<PlaceCandidate> floor_candidates(Workbench& bench, const std::string& object) {
+  std::vector<PlaceCandidate> out;
+  const Eigen::Vector3d here = bench.world().object(object)->translation();
+  for (const double away : {0.0, 0.25, 0.5, 0.8}) {
+    for (int direction = 0; direction < (away > 0 ? 8 : 1); ++direction) {
+      const double angle = direction * M_PI / 4;
+      for (int h = 0; h < 12; ++h) {
+        PlaceCandidate c;
+        c.object.translation() = here + away * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
+        c.object.translation().z() = 0.002;
+        c.object.linear() = Eigen::AngleAxisd(h * M_PI / 6, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+        c.approaches = {Eigen::Vector3d::UnitZ() * 0.10};
+        c.preference = away;
+        if (bench.checker().object_fits(object, c.object, 0.03, {"floor"})) out.push_back(c);
+      }
+    }
+  }
+  return out;
+}
+
 // Slots of the tray, seen from where the robot stands now.
 std::vector<PlaceCandidate> tray_candidates(Workbench& bench, const std::string& object) {
   std::vector<PlaceCandidate> out;
@@ -82,6 +103,8 @@ std::vector<PlaceWay> ways(Workbench& bench, std::size_t arm, const std::vector<
       way.reach.tolerances.allow(bench.checker().attachment(arm), bench.checker().body(origin[i]->fixture),
                                  -0.001);
     }
+    if (i < origin.size() && origin[i] == nullptr)
+      way.reach.tolerances.allow(bench.checker().attachment(arm), bench.checker().body("floor"), -0.001);
     if (origin.empty() && bench.model().tray) {
       const int tray = bench.kinematics().link_index(bench.model().tray->link);
       way.reach.tolerances.allow_self(tray, bench.checker().attachment(arm), -0.001);
@@ -98,8 +121,12 @@ Expected<Phases> PlaceSkill::attempt(Workbench& bench, int) {
   if (!holding) return fail(Outcome::kMotionFailed, object_ + " is not in a hand, so it cannot be put down");
   const std::size_t arm = *holding;
   std::vector<const scene::Region*> origin;
+  // What stood on the floor at the start is put down there.
+  const bool on_floor = where_ == Where::kNearest && bench.scene().find_object(object_)->placement.on.empty();
   const auto candidates = where_ == Where::kTray ? tray_candidates(bench, object_)
+                          : on_floor             ? floor_candidates(bench, object_)
                                                  : candidates_for(bench, where_, object_, region_, origin);
+  if (on_floor) origin.resize(candidates.size());
   if (candidates.empty()) {
     return fail(Outcome::kMotionFailed,
                 "no free place for " + object_ + (region_.empty() ? "" : " in or on " + region_));

@@ -77,8 +77,10 @@ class Workbench {
 
   // --- motions; all start at now() ---
   // Arm (and lift) to a goal configuration, around obstacles. Held objects stay upright if they must.
+  // `opening` [m]: that the fingers will have before the end, if it is wider than now; they are taken for
+  // that wide all the way.
   Expected<JointTrajectory> move_arm(std::size_t arm, const ArmPositions& goal, double lift,
-                                     const Tolerances* tolerances = nullptr);
+                                     double opening = 0.0);
   // The tool along straight lines through poses in the map frame. Contacts within tolerances are allowed.
   Expected<JointTrajectory> move_straight(std::size_t arm, const std::vector<Pose>& poses,
                                           const Tolerances& tolerances, double speed = 1.0);

@@ -16,17 +16,18 @@ double wrap(double angle) { return std::remainder(angle, 2 * std::numbers::pi); 
 }  // namespace
 
 Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPositions& goal, double lift,
-                                              const Tolerances* tolerances) {
+                                              double opening) {
   std::vector<int> joints(arms_[arm].joints().begin(), arms_[arm].joints().end());
-  const Stand here = stand_of(now_);
+  const Configuration from = with_fingers(now_, arm, std::max(opening, opening_of(now_, arm)));
+  const Stand here = stand_of(from);
   const bool lifting = lift_ >= 0 && std::abs(lift - here.lift) > 1e-4;
   if (lifting) joints.push_back(lift_);
-  Configuration target = with_arm(now_, arm, goal);
+  Configuration target = with_arm(from, arm, goal);
   if (lifting) target[static_cast<std::size_t>(lift_)] = lift;
 
   const PartSet& parts = lifting ? checker_.all_parts() : checker_.arm_parts(arm);
-  CollisionQuery query{&parts, params_.margin, tolerances, true};
-  Tolerances relaxed = checker_.baseline(now_, query);
+  CollisionQuery query{&parts, params_.margin, nullptr, true};
+  Tolerances relaxed = checker_.baseline(from, query);
   {  // The goal may be near things on purpose (a hand before a handle); it was checked with the smaller
      // margin.
     CollisionQuery at_goal{&parts, params_.margin, &relaxed, true};
@@ -37,7 +38,7 @@ Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPosition
 
   PathQuery path;
   const TimedJoints limits = timed(joints);
-  path.start = pick(now_, joints);
+  path.start = pick(from, joints);
   path.goal = pick(target, joints);
   path.scale = limits.velocity.cwiseInverse();
   path.lower.resize(path.start.size());
@@ -48,7 +49,7 @@ Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPosition
     path.upper[static_cast<Eigen::Index>(i)] =
         model_.joints[static_cast<std::size_t>(joints[i])].limits.upper;
   }
-  Configuration scratch = now_;
+  Configuration scratch = from;
   const auto expand = [&](const JointVector& v) {
     for (std::size_t i = 0; i < joints.size(); ++i)
       scratch[static_cast<std::size_t>(joints[i])] = v[static_cast<Eigen::Index>(i)];
@@ -60,7 +61,7 @@ Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPosition
   if (held_[arm] && tilt < 1.5) {
     // Few configurations chosen blindly keep a cup upright: choose a place and a heading for it instead.
     path.sample = [&](const std::function<double(double, double)>& uniform, JointVector& out) {
-      const Pose from = arm_base_pose(now_, arm);
+      const Pose base = arm_base_pose(now_, arm);
       Pose object = Pose::Identity();
       object.linear() =
           (Eigen::AngleAxisd(uniform(-std::numbers::pi, std::numbers::pi), Eigen::Vector3d::UnitZ()) *
@@ -69,7 +70,7 @@ Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPosition
               .toRotationMatrix();
       const Pose tool_rotation = object * held_[arm]->object_in_tool.inverse();
       Pose tool = Pose::Identity();
-      tool.linear() = from.linear().transpose() * tool_rotation.linear();
+      tool.linear() = base.linear().transpose() * tool_rotation.linear();
       tool.translation() =
           Eigen::Vector3d(uniform(-0.1, 0.9), sides_[arm] + uniform(-0.7, 0.7), uniform(-0.6, 0.5));
       ArmPositions seed;
@@ -88,7 +89,7 @@ Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPosition
   if (!corners) {
     auto error = corners.error();
     if (error.outcome == Outcome::kMotionFailed) {
-      const auto why_start = checker_.explain(now_, query), why_goal = checker_.explain(target, query);
+      const auto why_start = checker_.explain(from, query), why_goal = checker_.explain(target, query);
       if (!why_start.empty()) error.message += " (" + why_start + ")";
       if (!why_goal.empty()) error.message += " (" + why_goal + ")";
     }
