@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"syrup", {"(state Plate_1 Chocolate)"}, 1, "kitchen", {"squeeze Syrup_2 Plate_1"}},
                     Case{"ice_cream",
                          {"(state Mug_1 IceCream)"},
-                         1,
+                         3,
                          "kitchen",
                          {"scoop Spoon_1 IceCream_1", "add IceCreamScoop Mug_1"}},
                     Case{"ramen_in_kettle", {"(state Kettle Ramen)"}, 3, "kitchen", {"add Ramen_1 Kettle"}},
