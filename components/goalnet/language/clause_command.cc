@@ -75,6 +75,19 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         for (std::size_t k = i; k < next; ++k) phrase.alternative = phrase.alternative || words_[k] == "or";
         for (std::size_t k = i; k < next; ++k)
           if (words_[k] == "except" || words_[k] == "but") phrase.role = Role::kExcept;
+        // "take a beer and a coke, both to the table"
+        if (NounPhrase there; phrase.pronoun && phrase.plural && words_[i] == "," &&
+                              reader_.read_place(done, end, there) != done)
+          break;
+        // "switch burner 4 off and burner 1 on", "channel 2, volume down"
+        const bool has_particle = clause.has_particle("on") || clause.has_particle("off") ||
+                                  clause.has_particle("up") || clause.has_particle("down");
+        const bool own_particle = done < end && (words_[done] == "on" || words_[done] == "off" ||
+                                                 words_[done] == "up" || words_[done] == "down");
+        if (own_particle &&
+            (done + 1 >= end || language_.joins(words_[done + 1]) || ends_here(done + 1, end)) &&
+            (has_particle || clause.frame != Frame::kTurn))
+          break;
         // "turn off the tv, books on the shelf": the second part has no verb
         NounPhrase place;
         if (role == Role::kDirect && phrase.role != Role::kExcept && words_[i] == "," &&

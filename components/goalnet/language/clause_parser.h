@@ -28,6 +28,11 @@ class ClauseParser {
   std::size_t fragment(std::size_t at, std::size_t end);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
+  std::size_t forbidden(std::size_t at, std::size_t end);
+  std::size_t ensured(std::size_t at, std::size_t end);
+  std::size_t done_that(std::size_t at, std::size_t end);
+  std::size_t hint(std::size_t at, std::size_t end);
+  std::size_t wish_to(std::size_t at, std::size_t end);
   // Parts that ask for nothing: "my back is killing me", "bedtime, kids". They return `at` where it is none.
   std::size_t told(std::size_t at, std::size_t end);
   // "no wait, the fork": mends the command before it.

@@ -164,6 +164,11 @@ std::string FrameActions::turn(const Clause& clause, int on) {
         if (resolver_.exists(device) && (on == 1 || is_on(device))) devices.push_back(device);
       if (devices.size() > 1) devices.clear();
     }
+    for (const NounPhrase& left_out : clause.phrases)  // "all burners except the first"
+      if (left_out.role == Role::kExcept && !left_out.bare() && !left_out.pronoun)
+        for (const Sort sort : {Sort::kPlace, Sort::kDevice})
+          for (const Symbol device : resolver_.chosen(left_out, resolver_.options(left_out, sort, now_)))
+            std::erase(devices, device);
     if (devices.empty()) {
       if (any) continue;
       return unknown_thing(phrase, Sort::kDevice);

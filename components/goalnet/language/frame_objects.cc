@@ -95,7 +95,8 @@ FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role
 
 FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Problem& problem) {
   Objects objects = role_objects(clause, Role::kDirect, sort, problem);
-  if (objects.empty() && problem.empty() && clause.to_person &&
+  if (objects.empty() && problem.empty() &&
+      (clause.to_person || clause.verb == "bring" || clause.verb == "get" || clause.verb == "fetch") &&
       !history_.empty())  // "take the pillow, give me"
     objects = pronoun(it(), sort, {});
   if (objects.empty() && problem.empty()) problem = "it is not clear what to " + clause.verb;

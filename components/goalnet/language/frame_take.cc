@@ -10,6 +10,14 @@ using namespace symbol;
 
 std::string FrameActions::go(const Clause& clause) {
   if (clause.has("channel")) return television(clause);
+  if (const NounPhrase* with = clause.first(Role::kWith); with != nullptr && clause.to_person &&
+                                                          !with->bare() &&
+                                                          !with->unknown) {  // "come here with the remote"
+    Clause bring = clause;
+    bring.phrases = {*with};
+    bring.phrases.front().role = Role::kDirect;
+    return take(bring);
+  }
   // "stand the bowl on the plate"
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       thing != nullptr && clause.first(Role::kDestination) != nullptr && clause.verb != "go" &&
@@ -19,7 +27,8 @@ std::string FrameActions::go(const Clause& clause) {
     return put(clause);
   const NounPhrase* phrase = clause.first(Role::kDestination);
   if (phrase == nullptr) phrase = clause.first(Role::kDirect);
-  if (phrase == nullptr && clause.verb == "wait") return {};  // "... and wait there"
+  if (phrase == nullptr && clause.to_person && !macros_.empty()) return {};  // "... and come back here"
+  if (phrase == nullptr && clause.verb == "wait") return {};                 // "... and wait there"
   if (phrase == nullptr)
     return clause.to_person ? "it is not known where you are" : "it is not clear where to go";
   Objects options = phrase->pronoun ? pronoun(*phrase, Sort::kAny, {}) : Objects{};

@@ -95,6 +95,15 @@ std::string FrameActions::pour(const Clause& clause) {
   const NounPhrase* source_phrase = clause.first(Role::kSource);
   if (thing != nullptr && !thing->pronoun && destination == nullptr && !thing->content.empty())
     return fill(clause);  // "pour me a cup of coffee"
+  if (thing != nullptr && thing->everything && !thing->at.empty() && !thing->at.front().pronoun) {
+    Clause from = clause;  // "pour whatever is in the mug into the sink"
+    for (NounPhrase& phrase : from.phrases)
+      if (phrase.role == Role::kDirect) {
+        phrase = NounPhrase(thing->at.front());
+        phrase.role = Role::kDirect;
+      }
+    return pour(from);
+  }
   const Symbol content = mentioned_content(clause, Role::kDirect);
   if (content == kIceCream && destination != nullptr) return scoop(clause);
   if (thing != nullptr && !thing->pronoun && destination != nullptr) {

@@ -26,6 +26,9 @@ struct Doubts {
   int vague = 0;    // an adjective that could not be checked ("shiny")
 };
 
+// The number at the end of a name: "Pillow_4" -> 4; 0 where there is none.
+int number_of(const std::string& name);
+
 class Resolver {
  public:
   Resolver(const Instruction& instruction, const Lexicon& lexicon, const Language& language,

@@ -58,6 +58,11 @@ inline constexpr std::array kSubjects = {
     "that"sv,    "there"sv, "nobody"sv, "somebody"sv, "someone"sv, "everyone"sv, "everybody"sv,
     "nothing"sv, "these"sv, "those"sv,  "you"sv,      "whoever"sv, "something"sv};
 
+// What should be so: "the mug should be in the sink", "the spoon goes in the bowl".
+inline constexpr std::array kDesire = {"better"sv,  "go"sv,       "goes"sv, "goe"sv,  "belong"sv,
+                                       "belongs"sv, "should"sv,   "must"sv, "need"sv, "ought"sv,
+                                       "want"sv,    "supposed"sv, "shall"sv};
+
 // What rewriting leaves where a sentence takes a turn.
 inline constexpr std::array kTurns = {"correction"sv, "do_that"sv, "hint"sv, "wish_to"sv};
 

@@ -1,0 +1,176 @@
+// Requests without a verb: "spoon in sink", "tap on please", "channel 5", "and the other plate too".
+#include <algorithm>
+#include <array>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+// "... And a pillow.", "the other plate too": what was asked before is asked of this as well.
+bool ClauseParser::again(const Clause& fragment) {
+  if (result_.clauses.empty() || result_.clauses.back().mood != Mood::kCommand) return false;
+  Clause same = result_.clauses.back();
+  std::erase_if(same.phrases, [](const NounPhrase& phrase) {
+    return phrase.role == Role::kDirect || phrase.role == Role::kSource;
+  });
+  same.phrases.insert(same.phrases.begin(), fragment.phrases.begin(), fragment.phrases.end());
+  add(std::move(same));
+  return true;
+}
+
+// "spoon in sink", "tap on please", "volume down", "channel 5", "the mug please".
+std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
+  Clause clause;
+  clause.frame = Frame::kNone;
+  NounPhrase subject;
+  std::size_t i = reader_.read(at, end, subject);
+  clause.phrases = {subject};
+  for (std::size_t k = at; k < i; ++k) clause.words.push_back(words_[k]);
+  while (i < end && language_.joins(words_[i])) {  // "plates and cups in the sink"
+    NounPhrase more;
+    const std::size_t next = skip_joins(i, end), done = reader_.read(next, end, more);
+    if (done == next || starts_clause(next, end)) break;
+    if (done < end && subject.phrase == "channel" && (words_[done] == "up" || words_[done] == "down")) break;
+    more.alternative = words_[i] == "or";  // "coke or beer please"
+    clause.phrases.push_back(more);
+    i = done;
+  }
+  while (i < end && words_[i] == "from") {  // "pillow from armchair 2 to the couch"
+    NounPhrase source;
+    const std::size_t done = reader_.read(i + 1, end, source, true);
+    if (done == i + 1 || source.person || source.unknown) break;
+    for (NounPhrase& phrase : clause.phrases) phrase.at.push_back(source);
+    i = done;
+  }
+  NounPhrase place;
+  bool polite = false;
+  for (const std::string& word : words_)
+    polite =
+        polite || word == "please" || word == "now" || word == "quick" || word == "asap" || word == "thank";
+  const auto only_harmless_from = [&](std::size_t from) {
+    std::size_t k = from;
+    if (NounPhrase purpose; k < end && words_[k] == "for") {
+      k = std::max(reader_.read(k + 1, end, purpose), k + 1);
+      polite = polite || purpose.person;
+    }
+    for (; k < end && !language_.joins(words_[k]); ++k) {
+      if (!harmless(k)) return false;
+      polite = polite || words_[k] == "please" || words_[k] == "me" || words_[k] == "us";
+    }
+    if (k + 1 < end && words_[k] == "," && words_[k + 1] == "please") polite = true;
+    return true;
+  };
+  if (subject.unknown) {
+    result_.stray.push_back(subject.word);
+    return std::max(i, at + 1);
+  }
+  if (i < end && (words_[i] == "on" || words_[i] == "off" || words_[i] == "up" || words_[i] == "down") &&
+      !reader_.starts(i + 1, end)) {
+    clause.frame = Frame::kTurn, clause.verb = "turn";
+    clause.particles = {words_[i]};
+    clause.words.push_back(words_[i]);
+    add(std::move(clause));
+    return i + 1;
+  }
+  // "the telly's too loud": its "is" was lost with the apostrophe
+  if (i + 1 < end && words_[i] == "too" && language_.complaint(words_[i + 1]) != Frame::kNone) {
+    clause.mood = Mood::kStatement, clause.frame = Frame::kNone, clause.state = words_[i + 1];
+    add(std::move(clause));
+    return part_end(i, end);
+  }
+  // "the bowl, into the microwave"
+  if (i + 1 < end && words_[i] == "," && place_preposition(words_[i + 1])) {
+    const std::size_t done = reader_.read_place(i + 1, end, place);
+    if (done != i + 1 && !place.person && ends_here(done, end)) ++i;
+    place = {};
+  }
+  // "water in": into what was spoken of
+  if (i < end && (words_[i] == "in" || words_[i] == "into") &&
+      (i + 1 >= end || language_.joins(words_[i + 1]))) {
+    clause.frame = Frame::kPlace, clause.verb = "put";
+    clause.particles = {"in"};
+    add(std::move(clause));
+    return i + 1;
+  }
+  // "coke in there too"
+  if (i + 1 < end && words_[i + 1] == "there" && place_preposition(words_[i], &place.where)) {
+    clause.frame = Frame::kPlace, clause.verb = "put";
+    place.role = Role::kDestination, place.pronoun = true, place.word = "there";
+    clause.phrases.push_back(place);
+    add(std::move(clause));
+    return i + 2;
+  }
+  if (i + 1 < end && words_[i] == "off") {  // "everything off the stove"
+    const std::size_t done = reader_.read(i + 1, end, place, true);
+    if (done != i + 1 && !place.unknown && !place.person) {
+      clause.frame = Frame::kTake, clause.verb = "take";
+      place.role = Role::kSource;
+      clause.phrases.push_back(place);
+      add(std::move(clause));
+      return done;
+    }
+    place = {};
+  }
+  if (i + 1 < end && words_[i] == "for") {  // "a pillow for every armchair"
+    const std::size_t done = reader_.read(i + 1, end, place, true);
+    if (done != i + 1 && place.all && lexicon_->is_place_name(place.phrase)) {
+      clause.frame = Frame::kPlace, clause.verb = "put";
+      place.role = Role::kDestination, place.where = Where::kOn;
+      clause.phrases.push_back(place);
+      add(std::move(clause));
+      return done;
+    }
+    place = {};
+  }
+  if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
+    clause.frame = Frame::kPlace, clause.verb = "put";
+    std::size_t last = done;
+    NounPhrase second;  // "everything on the counter into the sink"
+    if (const std::size_t after = reader_.read_place(done, end, second); after != done) {
+      for (NounPhrase& phrase : clause.phrases) phrase.at.push_back(place);
+      place = second, last = after;
+    }
+    place.role = Role::kDestination;
+    clause.phrases.push_back(place);
+    add(std::move(clause));
+    return last;
+  }
+  if (i < end && language_.wanted_by_state(words_[i]) != Frame::kNone) {
+    clause.frame = language_.wanted_by_state(words_[i]), clause.verb = clause.state = words_[i];
+    add(std::move(clause));
+    return i + 1;
+  }
+  if (subject.phrase == "channel" && (subject.has("next") || subject.has("previous"))) {
+    clause.frame = Frame::kChange, clause.verb = "change";
+    add(std::move(clause));
+    return i;
+  }
+  if (language_.tv_word(subject.phrase) && (subject.number > 0 || subject.ordinal > 0)) {
+    clause.frame = Frame::kChange, clause.verb = "change";
+    add(std::move(clause));
+    return i;
+  }
+  if (!subject.modifier.empty() && only_harmless_from(i)) {  // "plates sink"
+    clause.frame = Frame::kPlace, clause.verb = "put";
+    add(std::move(clause));
+    return i;
+  }
+  // "the other plate too"
+  if (i < end && words_[i] == "too" && ends_here(i, end) && again(clause)) return i + 1;
+  if (only_harmless_from(i) && polite) {
+    clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = true;
+    add(std::move(clause));
+    return i;
+  }
+  if (ends_here(i, end) && again(clause)) {
+    while (i < end && words_[i] != ",") ++i;
+    return i;
+  }
+  result_.stray.push_back(words_[at]);
+  return std::max(i, at + 1);
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,111 @@
+// What a statement says of its subject: "... should be on the table", "... is dirty", "... needs water in
+// it".
+#include <algorithm>
+#include <array>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+// What is said of the subject, from `at` on. `clause` is the last of the result.
+std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& clause, bool desired,
+                                    bool negative) {
+  std::size_t i = at;
+  while (i < end && !language_.joins(words_[i]) && words_[i] != "so") {
+    const std::string& word = words_[i];
+    NounPhrase place;
+    if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
+      if (desired && negative) {  // should not be there: take it away
+        clause.mood = Mood::kCommand, clause.frame = Frame::kTake, clause.verb = "take";
+        place.role = Role::kSource;
+        clause.phrases.push_back(place);
+      } else if (desired) {
+        clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
+        place.role = Role::kDestination;
+        clause.phrases.push_back(place);
+      } else if (place.phrase == "channel" && place.number > 0) {  // "my show is on channel 2"
+        clause.frame = Frame::kChange, clause.verb = "change", clause.wish = true;
+        place.role = Role::kDirect;
+        clause.phrases = {place};
+      } else if (!clause.phrases.empty()) {
+        clause.phrases.front().at.push_back(place);
+      }
+      i = done;
+      continue;
+    }
+    if (language_.verb(word) != Frame::kNone && (language_.participle(word) || desired) &&
+        language_.wanted_by_state(word) == Frame::kNone) {
+      if (!desired) {
+        clause.state = word;
+        ++i;
+        continue;
+      }
+      clause.mood = negative ? Mood::kForbidden : Mood::kCommand;
+      clause.frame = language_.verb(word), clause.verb = language_.verb_base(word);
+      Role role = Role::kDirect;
+      Where where = Where::kTo;
+      for (++i; i < end && !language_.joins(words_[i]);) {
+        clause.words.push_back(words_[i]);
+        const std::size_t next = argument(i, end, clause, role, where);
+        if (next == i) break;
+        i = next;
+      }
+      return i;
+    }
+    if (clause.state.empty() &&
+        (language_.wanted_by_state(word) != Frame::kNone || language_.complaint(word) != Frame::kNone)) {
+      clause.state = word;
+      std::string wanted = word;
+      if (desired && negative) wanted = language_.opposite_state(word);
+      if (desired && !wanted.empty() && language_.wanted_by_state(wanted) != Frame::kNone) {
+        clause.mood = Mood::kCommand;
+        clause.frame = language_.wanted_by_state(wanted), clause.verb = wanted;
+        clause.state = wanted;
+      }
+      ++i;
+      if (clause.mood == Mood::kCommand && i < end && words_[i] == "of") {  // "should be full of water"
+        NounPhrase content;
+        const std::size_t done = reader_.read(i + 1, end, content);
+        content.role = Role::kWith;
+        if (done != i + 1) clause.phrases.push_back(content), i = done;
+      }
+      continue;
+    }
+    if (NounPhrase content;
+        desired && !negative && clause.mood == Mood::kStatement) {  // "should have water in it"
+      const std::size_t done = reader_.read(i, end, content);
+      if (done != i && language_.content(content.phrase) != symbol::kNone) {
+        clause.mood = Mood::kCommand, clause.frame = Frame::kFill, clause.verb = "fill";
+        content.role = Role::kWith;
+        clause.phrases.push_back(content);
+        i = done;
+        if (i + 1 < end && (words_[i] == "in" || words_[i] == "inside") && words_[i + 1] == "it") i += 2;
+        continue;
+      }
+    }
+    // "every armchair should have a pillow on it", "every cup needs a spoon in it"
+    if (NounPhrase thing;
+        desired && !negative && clause.mood == Mood::kStatement && !clause.phrases.empty()) {
+      const std::size_t done = reader_.read(i, end, thing);
+      NounPhrase on_it;
+      const std::size_t after = done == i ? i : reader_.read_place(done, end, on_it);
+      if (done != i && after != done && on_it.pronoun && !thing.pronoun && !thing.person && !thing.unknown) {
+        NounPhrase holder = clause.phrases.front();
+        holder.role = Role::kDestination, holder.where = on_it.where;
+        clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
+        clause.phrases = {thing, holder};
+        i = after;
+        continue;
+      }
+    }
+    // a new command without a join: "i cannot see it turn on the tv"
+    if (opens_command(i, end) && i > at) return i;
+    ++i;
+  }
+  return i;
+}
+
+}  // namespace goalnet::inference

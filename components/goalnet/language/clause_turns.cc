@@ -1,0 +1,114 @@
+// Clauses that a small word opens: what is forbidden, made sure, wished, hinted at.
+#include <algorithm>
+#include <array>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+// "do not open the fridge", "without the spoon", "never mind the mess".
+std::size_t ClauseParser::forbidden(std::size_t at, std::size_t end) {
+  const std::string& word = words_[at];
+  std::size_t verb = at + 1;
+  while (verb < end && !opens_command(verb, end) && harmless(verb)) ++verb;
+  if (opens_command(verb, end)) return command(verb, end, Mood::kForbidden);
+  const std::size_t gerund = at + 1;
+  if (gerund < end && words_[gerund].size() > 5 && words_[gerund].ends_with("ing") &&
+      !language_.known(words_[gerund])) {
+    Clause clause;  // "without touching the coke", "without spilling anything"
+    clause.mood = Mood::kForbidden, clause.frame = Frame::kTry, clause.verb = words_[gerund];
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(gerund + 1, end, phrase);
+    if (done != gerund + 1) clause.phrases.push_back(phrase);
+    add(std::move(clause));
+    return std::max(done, gerund + 1);
+  }
+  if (word == "without") {  // "without the spoon"
+    NounPhrase phrase;
+    const std::size_t done = reader_.read(verb, end, phrase);
+    if (done != verb) return done;
+  }
+  if (NounPhrase left_out;
+      words_[at + 1 < end ? at + 1 : at] != "wish") {  // "forget the fork", "not in the mug"
+    std::size_t done = reader_.read_place(at + 1, end, left_out);
+    if (done == at + 1) done = reader_.read(at + 1, end, left_out);
+    if (done != at + 1 && ends_here(done, end)) {
+      add_told(at + 1, done);
+      return done;
+    }
+  }
+  if (verb < end && words_[verb] == "wish") {  // "I do not want this coffee any more"
+    const std::size_t done = command(verb, end, Mood::kForbidden);
+    if (result_.clauses.back().mood == Mood::kForbidden) {
+      result_.clauses.back().mood = Mood::kStatement;
+      result_.clauses.back().negative = true;
+    }
+    return done;
+  }
+  // "do not worry", "never mind the mess": what cannot be done is not done
+  if (verb < end && language_.english_verb(words_[verb])) {
+    add_told(at, part_end(at, end));
+    return part_end(at, end);
+  }
+  if (result_.problem.empty()) result_.problem = "it is not clear what \"" + word + "\" rules out";
+  return at + 1;
+}
+
+// "make sure that the fridge is closed and the tap is off".
+std::size_t ClauseParser::ensured(std::size_t at, std::size_t end) {
+  std::size_t next = at + 1;
+  while (next < end && (words_[next] == "that" || words_[next] == "you" || words_[next] == "to")) ++next;
+  if (opens_command(next, end)) return command(next, end, Mood::kCommand);
+  ensured_ = true;
+  std::size_t done = next < end ? statement(next, end) : next;
+  // "... that the fridge is closed and the tap is off"
+  while (done + 1 < end && words_[done] == "and" && !opens_command(done + 1, end) && tells(done + 1, end))
+    done = std::max(statement(done + 1, end), done + 2);
+  ensured_ = false;
+  return done;
+}
+
+// "the tap is running, do something about it".
+std::size_t ClauseParser::done_that(std::size_t at, std::size_t) {
+  if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement)
+    result_.clauses.back().asked = true;
+  else if (result_.problem.empty() && result_.clauses.empty())
+    result_.problem = "it is not clear what should be done";
+  return at + 1;
+}
+
+// "I cannot find the remote".
+std::size_t ClauseParser::hint(std::size_t at, std::size_t end) {
+  // "I cannot find the remote"
+  Clause clause;
+  clause.mood = Mood::kStatement, clause.frame = Frame::kTake, clause.verb = "bring", clause.wish = true;
+  NounPhrase phrase;
+  const std::size_t done = reader_.read(at + 1, end, phrase);
+  if (done == at + 1) return at + 1;
+  clause.phrases.push_back(std::move(phrase));
+  add(std::move(clause));
+  return done;
+}
+
+// "I want to lie down, take everything off the couch".
+std::size_t ClauseParser::wish_to(std::size_t at, std::size_t end) {
+  // "I want to lie down, take everything off the couch"
+  const std::size_t next = skip_joins(at + 1, end);
+  const std::size_t count = result_.clauses.size();
+  if (opens_command(next, end)) {
+    const std::size_t done = command(next, end, Mood::kCommand);
+    for (std::size_t i = count; i < result_.clauses.size(); ++i) {
+      Clause& wanted = result_.clauses[i];
+      wanted.weak = true;
+      wanted.reason = one_of(wanted.verb, kPeopleDo) || wanted.frame == Frame::kGo;
+    }
+    return done;
+  }
+  add_told(at, part_end(at, end));
+  return part_end(at, end);
+}
+
+}  // namespace goalnet::inference
