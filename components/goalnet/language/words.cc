@@ -1,8 +1,6 @@
 #include "components/goalnet/language/words.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "components/goalnet/language/language.h"
 #include "components/goalnet/language/ways_of_saying.h"
@@ -11,8 +9,6 @@
 
 namespace goalnet::inference {
 namespace {
-
-using std::string_view_literals::operator""sv;
 
 constexpr std::size_t kMaxAfterRewriting = 2 * kMaxWords;  // rewriting may lengthen a sentence
 
