@@ -161,7 +161,7 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   // "the other plate too"
   if (i < end && words_[i] == "too" && ends_here(i, end) && again(clause)) return i + 1;
   if (only_harmless_from(i) && polite) {
-    clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = true;
+    clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;
     add(std::move(clause));
     return i;
   }

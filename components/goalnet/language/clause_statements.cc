@@ -31,6 +31,19 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
         result_.clauses[k].mood = Mood::kStatement, result_.clauses[k].wish = true;
     return done;
   }
+  if (there && i + 2 < end &&
+      (words_[i + 2] == "no" || words_[i + 2] == "not")) {  // "there is no water in the kettle"
+    NounPhrase content, vessel;
+    const std::size_t done = reader_.read(i + 3, end, content), after = reader_.read_place(done, end, vessel);
+    if (done != i + 3 && after != done && language_.content(content.phrase) != symbol::kNone) {
+      Clause clause;
+      clause.mood = Mood::kStatement, clause.wish = true, clause.frame = Frame::kFill, clause.verb = "fill";
+      content.role = Role::kWith, vessel.role = Role::kDirect;
+      clause.phrases = {vessel, content};
+      add(std::move(clause));
+      return after;
+    }
+  }
   if (there) {
     ++i;
     for (; i < end && language_.copula(words_[i]); ++i) desired = desired || one_of(words_[i], kDesire);

@@ -136,6 +136,14 @@ std::string FrameActions::take(const Clause& clause) {
     if (phrase.where == Where::kTo || clause.has("into") || clause.has("onto")) return put(clause);
     phrase.role = Role::kSource;
   }
+  // "tv please", "I want the tap": on
+  if (const NounPhrase* thing = located.first(Role::kDirect);
+      clause.wish && located.phrases.size() == 1 && thing != nullptr && !thing->pronoun && !thing->bare() &&
+      !thing->everything && resolver_.options(*thing, Sort::kMovable, now_).empty()) {
+    const auto devices = resolver_.options(*thing, Sort::kDevice, now_);
+    if (!devices.empty() && (devices.front() == kTv_1 || devices.front() == kSinkKnob))
+      return turn(clause, 1);
+  }
   Problem problem;
   const auto objects = direct(located, Sort::kMovable, problem);
   if (!problem.empty()) return problem;

@@ -73,7 +73,8 @@ std::vector<Symbol> Resolver::options(const NounPhrase& phrase, Sort sort, const
     const NameLevel name_level = level(phrase, object.symbol, object.class_id, sort, now);
     if (name_level == NameLevel::kNone) continue;
     const ObjectClass& c = lexicon_.object_class(object.class_id);
-    const bool side = object.symbol == kFridgeLeft || object.symbol == kFridgeRight;
+    const bool side = object.symbol == kFridgeLeft || object.symbol == kFridgeRight ||
+                      (c.name == "garbage_bag" && phrase.phrase == "bag");
     if (sort == Sort::kPlace && !c.place && name_level == NameLevel::kGeneric && !is_vessel(object.symbol) &&
         !side)
       continue;

@@ -68,7 +68,8 @@ void ask_politely(std::vector<std::string>& text) {
     if (!opens) continue;
     for (std::size_t k = i + 2; k + 1 < text.size() && k < i + kFarthest && text[k] != "," && text[k] != ".";
          ++k) {
-      if (text[k] != "if" || text[k + 1] != "you") continue;
+      if (text[k] != "if" || (text[k + 1] != "you" && text[k + 1] != "someone" && text[k + 1] != "somebody"))
+        continue;
       k += 2;
       while (k < text.size() && one_of(text[k], kCould)) ++k;
       text[i] = "please";

@@ -42,10 +42,10 @@ inline constexpr std::array kStates = {
     "held"sv,  "boiling"sv, "last"sv,  "previous"sv,  "next"sv};
 // Adjectives that nothing in a world of facts can tell; kept in mind as such.
 inline constexpr std::array kVague = {
-    "big"sv,       "small"sv,    "little"sv, "large"sv,  "new"sv,   "old"sv,    "red"sv,
-    "blue"sv,      "green"sv,    "white"sv,  "brown"sv,  "black"sv, "yellow"sv, "pink"sv,
-    "nice"sv,      "soft"sv,     "lovely"sv, "entire"sv, "whole"sv, "single"sv, "own"sv,
-    "favourite"sv, "favorite"sv, "round"sv,  "shiny"sv,  "usual"sv, "only"sv,   "fresh"sv};
+    "big"sv,    "small"sv,  "little"sv, "large"sv,  "new"sv,    "old"sv,       "red"sv,      "blue"sv,
+    "green"sv,  "white"sv,  "brown"sv,  "black"sv,  "yellow"sv, "pink"sv,      "nice"sv,     "soft"sv,
+    "lovely"sv, "entire"sv, "whole"sv,  "single"sv, "own"sv,    "favourite"sv, "favorite"sv, "round"sv,
+    "shiny"sv,  "usual"sv,  "long"sv,   "tall"sv,   "only"sv,   "fresh"sv};
 // "the cup that is still standing in the sink"
 inline constexpr std::array kLying = {
     "lying"sv,     "standing"sv, "sitting"sv, "placed"sv, "kept"sv,    "located"sv, "resting"sv, "left"sv,
