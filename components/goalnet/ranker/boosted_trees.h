@@ -9,7 +9,7 @@ namespace goalnet::inference {
 
 struct BoostOptions {
   int trees = 200;
-  int depth = 6;
+  int depth = 4;
   float rate = 0.05f;
   std::size_t min_rows = 60;  // in a leaf
   float row_share = 0.7f;     // of the rows that a tree sees

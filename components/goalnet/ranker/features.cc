@@ -1,295 +1,10 @@
 #include "components/goalnet/ranker/features.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace goalnet::inference {
-namespace {
 
 using namespace symbol;
-
-std::uint32_t mix(std::uint32_t hash, std::uint32_t value) {
-  hash ^= value * 0xcc9e2d51u;
-  hash = (hash << 13 | hash >> 19) * 5u + 0xe6546b64u;
-  return hash ^ hash >> 15;
-}
-
-template <class... Values>
-std::uint32_t feature(std::uint32_t kind, Values... values) {
-  std::uint32_t hash = kind * 0x9e3779b1u;
-  ((hash = mix(hash, static_cast<std::uint32_t>(values))), ...);
-  hash ^= hash >> 16;
-  hash *= 0x85ebca6bu;
-  hash ^= hash >> 13;
-  return hash & (kFeatureBuckets - 1);
-}
-
-// Appends features without asking each time whether there is room.
-class Appender {
- public:
-  Appender(std::vector<std::uint32_t>& out, const Instruction& instruction) : out_(out) {
-    constexpr std::size_t kMost = 128, kMostForWord = 8;
-    const std::size_t before = out.size();
-    out.resize(before + kMost + kMostForWord * (instruction.unigrams.size() + instruction.bigrams.size()));
-    next_ = out.data() + before;
-  }
-  Appender(const Appender&) = delete;
-  Appender& operator=(const Appender&) = delete;
-  ~Appender() { out_.resize(static_cast<std::size_t>(next_ - out_.data())); }
-
-  template <class... Values>
-  void operator()(Values... values) {
-    *next_++ = feature(values...);
-  }
-
- private:
-  std::vector<std::uint32_t>& out_;
-  std::uint32_t* next_ = nullptr;
-};
-
-std::uint32_t few(int count, int most) { return static_cast<std::uint32_t>(std::min(count, most)); }
-
-// Devices are told apart by name (a knob is not a knob); movable things are not.
-std::uint32_t verb_code(const SymAction& action) {
-  const auto verb = static_cast<std::uint32_t>(action.verb);
-  const bool device = action.verb == Verb::kPress || action.verb == Verb::kTurn ||
-                      action.verb == Verb::kOpen || action.verb == Verb::kClose;
-  return device ? verb * 1000u + action.x : verb;
-}
-
-std::uint32_t vote_code(float weight) {
-  return weight <= 0      ? 0u
-         : weight < 0.1f  ? 1u
-         : weight < 0.25f ? 2u
-         : weight < 0.45f ? 3u
-         : weight < 0.7f  ? 4u
-                          : 5u;
-}
-
-bool uses_device(Verb verb) {
-  return verb == Verb::kPress || verb == Verb::kTurn || verb == Verb::kOpen || verb == Verb::kClose;
-}
-
-// The object that a device part belongs to: what the instruction is likely to name.
-Symbol device_of(Symbol part) {
-  if (part == kSinkKnob) return kSinkKnob;
-  if (part >= kStoveKnob_1 && part <= kStoveKnob_4) return kStove;
-  if (part == kMicrowaveButton) return kMicrowave;
-  if (part == kFridgeButton || part == kFridgeLeftDoor || part == kFridgeRightDoor) return kFridge;
-  if (part == kTv_1PowerButton || part == kTv_1ChannelUpButton || part == kTv_1ChannelDownButton ||
-      part == kTv_1VolumeUpButton || part == kTv_1VolumeDownButton)
-    return kTv_1;
-  if (part >= kTv_1Remote_1PowerButton && part <= kTv_1Remote_1MuteButton) return kTv_1Remote_1;
-  return part;
-}
-
-// 0: no switch; 1: the action would switch something off (or close it), 2: on.
-std::uint32_t switch_code(const SymAction& action, const SymState& state) {
-  const auto code = [&](Symbol object, Symbol value) { return state.is(object, value) ? 1u : 2u; };
-  if (action.verb == Verb::kTurn) {
-    if (action.x == kSinkKnob) return code(kSinkKnob, kTapIsOn);
-    if (action.x >= kStoveKnob_1 && action.x <= kStoveKnob_4)
-      return code(kStove, static_cast<Symbol>(kStoveFire1 + (action.x - kStoveKnob_1)));
-  }
-  if (action.verb != Verb::kPress) return 0;
-  if (action.x == kMicrowaveButton) return code(kMicrowave, kMicrowaveIsOn);
-  if (action.x == kFridgeButton) return code(kFridge, kWaterDispenserIsOpen);
-  if (action.x == kTv_1PowerButton || action.x == kTv_1Remote_1PowerButton) return code(kTv_1, kIsOn);
-  return 0;
-}
-
-std::uint32_t world_code(const SymState& state) {
-  std::uint32_t code = 0;
-  for (const auto& [object, value] : {std::pair{kSinkKnob, kTapIsOn},
-                                      {kMicrowave, kDoorIsOpen},
-                                      {kMicrowave, kMicrowaveIsOn},
-                                      {kFridge, kLeftDoorIsOpen},
-                                      {kFridge, kRightDoorIsOpen},
-                                      {kTv_1, kIsOn}})
-    code = code * 2 + (state.is(object, value) ? 1 : 0);
-  std::uint32_t fires = 0;
-  for (Symbol fire = kStoveFire1; fire <= kStoveFire4; ++fire) fires += state.is(kStove, fire);
-  return code * 2 + (fires > 0 ? 1 : 0);
-}
-
-}  // namespace
-
-FeatureContext::FeatureContext(const Instruction& instruction, const Lexicon& lexicon, const Hints& hints,
-                               const PartialRun& run)
-    : instruction_(instruction),
-      lexicon_(lexicon),
-      hints_(hints),
-      run_(run),
-      handled_(instruction.objects.size(), 0),
-      last_use_(instruction.objects.size(), 0),
-      last_place_(instruction.objects.size(), 0),
-      named_(0),
-      named_handled_(0),
-      held_named_(0),
-      held_(0),
-      step_(few(static_cast<int>(run.actions.size()), 6)) {
-  for (const SymAction& action : run.actions) {
-    const int x = instruction.find(uses_device(action.verb) ? device_of(action.x) : action.x);
-    const int y = instruction.find(action.y);
-    const auto verb = static_cast<std::uint8_t>(action.verb);
-    if (x >= 0) handled_[static_cast<std::size_t>(x)] |= 1, last_use_[static_cast<std::size_t>(x)] = verb;
-    if (y >= 0) handled_[static_cast<std::size_t>(y)] |= 2, last_place_[static_cast<std::size_t>(y)] = verb;
-  }
-  if (!run.actions.empty()) last_ = run.actions.back();
-  if (run.actions.size() > 1) before_last_ = run.actions[run.actions.size() - 2];
-  std::vector<std::uint8_t> mention_done(instruction.mentions.size(), 0);
-  for (std::size_t i = 0; i < instruction.objects.size(); ++i) {
-    const SeenObject& object = instruction.objects[i];
-    const bool held = run.now.holds(object.symbol);
-    held_ += held;
-    if (object.mention < 0) continue;
-    held_named_ += held;
-    if (handled_[i]) mention_done[static_cast<std::size_t>(object.mention)] = 1;
-  }
-  next_mention_ =
-      static_cast<int>(std::find(mention_done.begin(), mention_done.end(), 0) - mention_done.begin());
-  world_ = world_code(run.now);
-  const auto& read = hints.reading.macros;
-  const auto is_done = [&](const SymAction& action) {
-    return std::find(run.actions.begin(), run.actions.end(), action) != run.actions.end();
-  };
-  const auto done = static_cast<std::size_t>(std::count_if(read.begin(), read.end(), is_done));
-  read_ = (read.empty() ? 0u : done == 0 ? 1u : done < read.size() ? 2u : 3u) * 2 + hints.reading.complete;
-  named_ = few(static_cast<int>(instruction.mentions.size()), 5);
-  named_handled_ = few(static_cast<int>(std::count(mention_done.begin(), mention_done.end(), 1)), 5);
-  held_ = few(static_cast<int>(held_), 3);
-  held_named_ = few(static_cast<int>(held_named_), 3);
-  codes_.reserve(instruction.objects.size());
-  for (std::size_t i = 0; i < instruction.objects.size(); ++i) codes_.push_back(make_code(i));
-  place_objects();
-}
-
-// Where the objects are and what is in them: one look at each fact.
-void FeatureContext::place_objects() {
-  for (const SymFact fact : run_.now.facts()) {
-    const Relation relation = relation_of(fact);
-    const Symbol subject = subject_of(fact), object = object_of(fact);
-    const bool located = relation == Relation::kOn || relation == Relation::kIn;
-    if ((!located && relation != Relation::kState) || (located && subject == object)) continue;
-    const int index = instruction_.find(subject);
-    if (index < 0) continue;
-    ObjectCode& code = codes_[static_cast<std::size_t>(index)];
-    if (located) {
-      const int place = instruction_.find(object);
-      code.place = place >= 0 ? 2u + instruction_.objects[static_cast<std::size_t>(place)].class_id : 1u;
-      code.place_named = place >= 0 && instruction_.objects[static_cast<std::size_t>(place)].mention >= 0;
-    } else {
-      if (object == kWater) code.contents |= 1u;
-      if (object == ktemperatureHigh) code.contents |= 2u;
-      if (object >= kCoffee && object <= kEgg) code.contents |= 4u;
-    }
-  }
-}
-
-FeatureContext::ObjectCode FeatureContext::make_code(std::size_t index) const {
-  ObjectCode code;
-  code.index = static_cast<int>(index);
-  const SeenObject& object = instruction_.objects[index];
-  const Symbol symbol = object.symbol;
-  const SymState& now = run_.now;
-  code.held = now.holds(symbol);
-  code.name = object.name_hash;
-  const std::uint32_t handled = handled_[index];
-  code.handled = handled != 0;
-  code.named = object.grounded || object.level != NameLevel::kNone;
-  code.mention = static_cast<std::uint32_t>(object.level) * 2 + (object.grounded ? 1 : 0);
-  code.mention = code.mention * 4 + (object.rivals == 0   ? 0
-                                     : object.rivals == 1 ? 1
-                                     : object.rivals < 5  ? 2
-                                                          : 3);
-  code.mention = code.mention * 2 + (instruction_.grounding_given ? 1 : 0);
-  if (object.mention >= 0) {
-    const bool plural = instruction_.mentions[static_cast<std::size_t>(object.mention)].plural;
-    code.mention = code.mention * 2 + (plural ? 1 : 0);
-  }
-  code.before = object.word_before;
-  code.class_code = object.class_id;
-  code.rank = object.rank * 8u + std::min<std::uint8_t>(object.of_class, 7);
-  code.mention_index = object.mention;
-  code.clause = object.clause;
-  code.turn = object.mention < 0                ? 0u
-              : object.mention == next_mention_ ? 1u
-              : object.mention < next_mention_  ? 2u
-                                                : 3u;
-  code.last_use = last_use_[index];
-  code.last_place = last_place_[index];
-  code.state = (code.held ? 1u : 0u) + (now.near(symbol) ? 2u : 0u) + handled * 4u;
-  return code;
-}
-
-float FeatureContext::habit(const SymAction& action) const {
-  const auto found =
-      std::lower_bound(hints_.habits.begin(), hints_.habits.end(), action,
-                       [](const Habit& habit, const SymAction& a) { return habit.action < a; });
-  return found != hints_.habits.end() && found->action == action ? found->weight : 0;
-}
-
-float FeatureContext::stop_vote() const {
-  float weight = 0;
-  for (const NeighbourVote& vote : hints_.votes)
-    if (vote.verb == Verb::kStop && vote.y == step_) weight += vote.weight;
-  return weight;
-}
-
-std::uint32_t FeatureContext::class_code(Symbol symbol) const {
-  const int index = instruction_.find(symbol);
-  return index < 0 ? 100000u + symbol : instruction_.objects[static_cast<std::size_t>(index)].class_id;
-}
-
-FeatureContext::ObjectCode FeatureContext::code(Symbol symbol) const {
-  const int index = instruction_.find(symbol);
-  if (index >= 0) return codes_[static_cast<std::size_t>(index)];
-  ObjectCode code;
-  code.class_code = 100000u + symbol;
-  code.name = symbol;
-  return code;
-}
-
-float FeatureContext::vote(const SymAction& action, const ObjectCode& x_code,
-                           const ObjectCode& y_code) const {
-  const ClassId x = x_code.index >= 0 ? static_cast<ClassId>(x_code.class_code) : kNoClass;
-  const ClassId y = y_code.index >= 0 ? static_cast<ClassId>(y_code.class_code) : kNoClass;
-  const auto key = std::tuple(action.verb, x, y);
-  const auto of = [](const NeighbourVote& vote) { return std::tuple(vote.verb, vote.x, vote.y); };
-  const auto found = std::ranges::lower_bound(hints_.votes, key, {}, of);
-  return found != hints_.votes.end() && of(*found) == key ? found->weight : 0;
-}
-
-// What the grammar's reading says about an action.
-std::uint32_t FeatureContext::reading_code(const SymAction& action, const ObjectCode& x,
-                                           const ObjectCode& y) const {
-  const Reading& reading = hints_.reading;
-  std::uint32_t best = reading.macros.empty() ? 0 : 1;
-  bool first = true;
-  for (const SymAction& read : reading.macros) {
-    const bool done = std::find(run_.actions.begin(), run_.actions.end(), read) != run_.actions.end();
-    std::uint32_t match = 1;
-    if (read == action)
-      match = done ? 5 : first ? 7 : 6;
-    else if (read.verb == action.verb && class_code(read.x) == x.class_code &&
-             class_code(read.y) == y.class_code)
-      match = 4;
-    else if (action.verb == Verb::kGrasp && (read.x == action.x || read.y == action.x))
-      match = 3;
-    else if (read.verb == action.verb)
-      match = 2;
-    best = std::max(best, match);
-    if (!done) first = false;
-  }
-  return best * 2 + (reading.complete ? 1 : 0);
-}
-
-std::uint32_t FeatureContext::repeats(const SymAction& action, std::uint32_t x_class) const {
-  int count = 0;
-  for (const SymAction& done : run_.actions)
-    count += done.verb == action.verb && class_code(done.x) == x_class;
-  return few(count, 4);
-}
 
 void FeatureContext::extract_stop(std::vector<std::uint32_t>& out) const {
   Appender add(out, instruction_);
@@ -325,6 +40,14 @@ void FeatureContext::extract_stop(std::vector<std::uint32_t>& out) const {
   add(1037, last, x.turn, y.turn);
   add(1038, last, x.contents);
   add(1039, world_);
+  const std::uint32_t next = vote_code(next_by_words_.stop()), here = vote_code(next_by_room_.stop());
+  add(1050, next);
+  add(1051, next, step_);
+  add(1052, here);
+  add(1053, here, next);
+  add(1054, next, vote_stop);
+  add(1055, next, read_);
+  add(1056, next, last);
   for (const std::uint32_t word : instruction_.unigrams) {
     add(1020, word);
     add(1021, word, last);
@@ -416,6 +139,18 @@ void FeatureContext::extract_moment(const SymAction& action, std::vector<std::ui
   const std::uint32_t habits = vote_code(habit(action));
   add(156, habits, x.state, step_);
   add(157, v, habits, last);
+  const std::uint32_t next = vote_code(next_by_words_.share(class_key(action))),
+                      here = vote_code(next_by_room_.share(step_key(action.verb, action.x, action.y)));
+  add(160, next);
+  add(161, v, next);
+  add(162, next, x.mention);
+  add(163, next, votes);
+  add(164, here);
+  add(165, v, here);
+  add(166, here, next);
+  add(167, here, habits);
+  add(168, next, read);
+  add(169, next, step_);
   add(104, read, frame);
   add(108, v, frame, x.state);
   add(109, v, frame, last, x.state);

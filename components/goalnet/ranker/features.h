@@ -6,14 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "components/goalnet/ranker/feature_codes.h"
 #include "components/goalnet/ranker/hints.h"
 #include "components/goalnet/ranker/instruction.h"
+#include "components/goalnet/ranker/next_steps.h"
 #include "components/goalnet/sym_sim.h"
 
 namespace goalnet::inference {
-
-inline constexpr std::uint32_t kFeatureBits = 18;
-inline constexpr std::uint32_t kFeatureBuckets = 1u << kFeatureBits;
 
 // A run so far: where it began, where it is, what was done (macro actions, see with_means).
 struct PartialRun {
@@ -44,6 +43,7 @@ class FeatureContext {
   ObjectCode code(Symbol object) const;
   float vote(const SymAction& action, const ObjectCode& x, const ObjectCode& y) const;
   float stop_vote() const;
+  StepKey class_key(const SymAction& action) const;
   float habit(const SymAction& action) const;
   std::uint32_t reading_code(const SymAction& action, const ObjectCode& x, const ObjectCode& y) const;
   std::uint32_t class_code(Symbol symbol) const;
@@ -63,6 +63,7 @@ class FeatureContext {
   std::uint32_t named_, named_handled_, held_named_, held_;
   std::uint32_t step_;
   SymAction last_, before_last_;
+  NextSteps next_by_words_, next_by_room_;
 };
 
 }  // namespace goalnet::inference

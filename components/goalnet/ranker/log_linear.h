@@ -19,7 +19,7 @@ struct Decision {
 
 struct LogLinearOptions {
   int epochs = 10;
-  float rate = 0.007f;  // AdaGrad's step
+  float rate = 0.008f;  // of the step, see LogLinear::train
   float decay = 2e-6f;  // L2, applied to what is touched
   std::uint64_t seed = 1;
 };
@@ -39,7 +39,9 @@ class LogLinear {
   // Replaces `scores` by probabilities at the given temperature.
   static void softmax(std::vector<float>& scores, float temperature = 1);
 
-  // `progress(epoch, loss)` after each epoch; returning false ends the training early.
+  // Steps shrink with the sum of squared gradients to the power of 0.3. AdaGrad's 0.5 lets rare features
+  // learn too fast, 0 lets them learn too little (Duchi et al. 2011 for the family). `progress(epoch, loss)`
+  // after each epoch; returning false ends the training early.
   void train(std::span<const Decision> decisions, const LogLinearOptions& options,
              const std::function<bool(int, double)>& progress = {});
 

@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include "components/goalnet/ranker/count_common.h"
+
 namespace goalnet::inference {
 namespace {
 
@@ -41,17 +43,7 @@ std::vector<std::uint32_t> layout_of(const Instruction& instruction, const SymSt
 }
 
 float overlap(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
-  std::size_t common = 0;
-  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
-    if (*i < *j) {
-      ++i;
-    } else if (*j < *i) {
-      ++j;
-    } else {
-      ++common, ++i, ++j;
-    }
-  }
-  const std::size_t all = a.size() + b.size() - common;
+  const std::size_t common = count_common(a, b), all = a.size() + b.size() - common;
   return all == 0 ? 1.0f : static_cast<float>(common) / static_cast<float>(all);
 }
 
@@ -221,6 +213,39 @@ std::vector<SymAction> replay(const Memory& memory, const Instruction& instructi
   for (const Memory::Step& step : memory.steps)
     actions.push_back({step.action.verb, carried(step.action.x), carried(step.action.y)});
   return actions;
+}
+
+namespace {
+
+// Steps by class or by object.
+std::vector<Plan> plans(std::span<const Neighbour> neighbours, const Instruction& instruction,
+                        bool by_class) {
+  const auto class_of = [&](Symbol symbol) {
+    const int found = instruction.find(symbol);
+    return found < 0 ? kNoClass : instruction.objects[static_cast<std::size_t>(found)].class_id;
+  };
+  std::vector<Plan> result;
+  float total = 1e-6f;
+  for (const Neighbour& neighbour : neighbours) {
+    Plan plan;
+    plan.weight = by_class ? neighbour.similarity * neighbour.similarity : room_weight(neighbour);
+    total += plan.weight;
+    for (const auto& [verb, x, y] : replay(*neighbour.memory, instruction))
+      plan.steps.push_back(by_class ? step_key(verb, class_of(x), class_of(y)) : step_key(verb, x, y));
+    result.push_back(std::move(plan));
+  }
+  for (Plan& plan : result) plan.weight /= total;
+  return result;
+}
+
+}  // namespace
+
+Hints make_hints(const Neighbours::Nearest& near, const Instruction& instruction, Reading reading) {
+  return {.votes = votes(near.by_words),
+          .habits = habits(near.by_room),
+          .reading = std::move(reading),
+          .plans_by_words = plans(near.by_words, instruction, true),
+          .plans_by_room = plans(near.by_room, instruction, false)};
 }
 
 }  // namespace goalnet::inference

@@ -67,4 +67,7 @@ std::vector<Habit> habits(std::span<const Neighbour> neighbours);
 // one names, the others stay. Actions that are not possible here fall away when played.
 std::vector<SymAction> replay(const Memory& memory, const Instruction& instruction);
 
+// All that neighbours and grammar say about an instruction.
+Hints make_hints(const Neighbours::Nearest& near, const Instruction& instruction, Reading reading);
+
 }  // namespace goalnet::inference

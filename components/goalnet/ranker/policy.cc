@@ -29,17 +29,9 @@ Rollout::Rollout(const LogLinear& model, const Instruction& instruction, const L
   nodes_.push_back(std::move(root));
 }
 
-namespace {
-
-std::uint64_t key_of(const SymAction& action) {
-  return static_cast<std::uint64_t>(action.verb) << 32 | static_cast<std::uint64_t>(action.x) << 16 |
-         action.y;
-}
-
-}  // namespace
-
 void Rollout::expand(std::size_t index) {
   if (nodes_[index].expanded) return;
+  ++moments_;
   const FeatureContext context(instruction_, lexicon_, hints_, nodes_[index].run);
   struct Choice {
     SymAction action;
@@ -48,7 +40,7 @@ void Rollout::expand(std::size_t index) {
   std::vector<Choice> choices;
   float most = -1e9f;
   for (const SymAction& action : candidates(instruction_, lexicon_, places_, nodes_[index].run.now)) {
-    const auto [fixed, added] = fixed_.try_emplace(key_of(action), 0.0f);
+    const auto [fixed, added] = fixed_.try_emplace(step_key(action.verb, action.x, action.y), 0.0f);
     if (added) {
       features_.clear();
       context.extract_fixed(action, features_);
@@ -57,8 +49,9 @@ void Rollout::expand(std::size_t index) {
     if (action.verb != Verb::kStop) most = std::max(most, fixed->second);
     choices.push_back({action, fixed->second});
   }
-  // What the words alone make this unlikely is not looked at: 1 % of the probability, half of the work.
-  constexpr float kMargin = 4;
+  // What the words alone make this unlikely is not looked at: a fraction of the work, and the runs drawn are
+  // no worse.
+  constexpr float kMargin = 2.5f;
   std::erase_if(choices, [&](const Choice& choice) {
     return choice.action.verb != Verb::kStop && choice.fixed < most - kMargin;
   });

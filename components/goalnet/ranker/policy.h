@@ -32,6 +32,8 @@ class Rollout {
 
   CandidateRun greedy();
   CandidateRun sample(Random& random, float temperature);
+  // Moments looked at so far: what the time goes into.
+  std::size_t moments() const { return moments_; }
   // Log probability of a run of macros followed by a stop; what the policy cannot do costs a fixed amount.
   float log_probability(std::span<const SymAction> macros);
 
@@ -56,8 +58,9 @@ class Rollout {
   const Places& places_;
   const Hints& hints_;
   std::vector<Node> nodes_;
-  std::unordered_map<std::uint64_t, float> fixed_;  // score of what does not change during a run
+  std::unordered_map<StepKey, float> fixed_;  // score of what does not change during a run
   std::vector<std::uint32_t> features_, offsets_;
+  std::size_t moments_ = 0;
 };
 
 }  // namespace goalnet::inference

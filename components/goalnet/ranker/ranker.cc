@@ -82,8 +82,7 @@ Ranker train_ranker(const std::vector<const Example*>& examples, const Lexicon& 
     // As it will be in use: the neighbours come from other scenarios.
     const auto near = ranker.neighbours.nearest(instruction, example->states.front(), options.neighbours,
                                                 example->scenario);
-    const Hints hints{votes(near.by_words), habits(near.by_room),
-                      grounding ? example->read_given : example->read_none};
+    const Hints hints = make_hints(near, instruction, grounding ? example->read_given : example->read_none);
     auto more = decisions_of(*example, instruction, lexicon, ranker.places, hints, &random);
     std::move(more.begin(), more.end(), std::back_inserter(decisions));
   }
@@ -95,7 +94,7 @@ Proposal propose(const Ranker& ranker, const Lexicon& lexicon, const Instruction
                  const Reading& reading, const SymState& start, std::uint64_t seed) {
   const RankerOptions& options = ranker.options;
   const auto near = ranker.neighbours.nearest(instruction, start, options.neighbours);
-  Hints hints{votes(near.by_words), habits(near.by_room), reading};
+  Hints hints = make_hints(near, instruction, reading);
   Rollout rollout(ranker.policy, instruction, lexicon, ranker.places, hints, start);
   std::vector<CandidateRun> pool;
   const auto share = [](CandidateRun& run, int source) -> float& {
@@ -114,7 +113,8 @@ Proposal propose(const Ranker& ranker, const Lexicon& lexicon, const Instruction
   };
   Random random(seed);
   add(rollout.greedy(), options.greedy_weight);
-  for (std::size_t i = 0; i < options.samples; ++i) add(rollout.sample(random, options.temperature), 1);
+  for (std::size_t i = 0; i < options.samples && rollout.moments() < options.moments; ++i)
+    add(rollout.sample(random, options.temperature), 1);
   for (const auto* list : {&near.by_words, &near.by_room})
     for (std::size_t i = 0; i < std::min(list->size(), options.replays); ++i) {
       const Neighbour& neighbour = (*list)[i];

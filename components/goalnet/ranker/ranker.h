@@ -18,6 +18,7 @@ struct RankerOptions {
   std::size_t neighbours = 20;  // asked for votes
   std::size_t replays = 6;      // of these, replayed as candidate runs, by words and by room
   std::size_t samples = 40;     // runs drawn from the policy
+  std::size_t moments = 100;    // of the policy, looked at before no more runs are drawn: bounds the time
   float temperature = 1.0f;
   float greedy_weight = 2.0f;   // of the greedy run, in samples
   float replay_weight = 6.0f;   // of a replay, in samples, times the similarity

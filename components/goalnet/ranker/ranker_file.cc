@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr std::uint64_t kMaxMemories = 100000;
 
 // Hashes of 32 bits as two halves: floats hold 16 bits exactly.
@@ -35,6 +35,7 @@ json options_json(const RankerOptions& options) {
   return {{"neighbours", options.neighbours},
           {"replays", options.replays},
           {"samples", options.samples},
+          {"moments", options.moments},
           {"temperature", options.temperature},
           {"greedy_weight", options.greedy_weight},
           {"replay_weight", options.replay_weight},
@@ -50,6 +51,7 @@ RankerOptions options_from(const json& j) {
   options.neighbours = std::min<std::size_t>(j.at("neighbours").get<std::size_t>(), 1000);
   options.replays = std::min<std::size_t>(j.at("replays").get<std::size_t>(), 1000);
   options.samples = std::min<std::size_t>(j.at("samples").get<std::size_t>(), 10000);
+  options.moments = std::min<std::size_t>(j.at("moments").get<std::size_t>(), 1000000);
   options.temperature = std::clamp(j.at("temperature").get<float>(), 0.01f, 100.0f);
   options.greedy_weight = j.at("greedy_weight").get<float>();
   options.replay_weight = j.at("replay_weight").get<float>();

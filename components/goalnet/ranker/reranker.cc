@@ -58,7 +58,7 @@ BoostedTrees fit(const std::vector<UnseenPool>& pools, int without_fold, int bag
 Expected<Reranker> train_reranker(const std::vector<const Example*>& examples, const Lexicon& lexicon,
                                   bool grounding, const RankerOptions& options, Checkpoint& checkpoint,
                                   const std::function<bool(double)>& progress) {
-  constexpr int kBag = 2;
+  constexpr int kBag = 3;
   constexpr double kPools = 0.8, kTrees = 0.15;  // shares of the time; the rest is the last trees'
   const Error cancelled{Outcome::kCancelled, "training was stopped"};
   std::set<std::string> scenarios;

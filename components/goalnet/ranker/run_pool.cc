@@ -4,22 +4,10 @@
 #include <array>
 #include <numeric>
 
+#include "components/goalnet/ranker/count_common.h"
+
 namespace goalnet::inference {
 namespace {
-
-std::size_t common(const std::vector<SymFact>& a, const std::vector<SymFact>& b) {
-  std::size_t count = 0;
-  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
-    if (*i < *j) {
-      ++i;
-    } else if (*j < *i) {
-      ++j;
-    } else {
-      ++count, ++i, ++j;
-    }
-  }
-  return count;
-}
 
 // As the published evaluation spells actions: "keep in" counts as "keep on".
 bool same(const SymAction& a, const SymAction& b) {
@@ -72,8 +60,8 @@ CandidateRun play(const SymState& start, std::span<const SymAction> macros) {
 
 std::pair<Agreement, Agreement> mutual_agreement(const CandidateRun& run, const CandidateRun& truth) {
   Agreement result;
-  const float hit = static_cast<float>(common(run.change.added, truth.change.added) +
-                                       common(run.change.removed, truth.change.removed));
+  const float hit = static_cast<float>(count_common(run.change.added, truth.change.added) +
+                                       count_common(run.change.removed, truth.change.removed));
   const float got = static_cast<float>(run.change.added.size() + run.change.removed.size());
   const float wanted = static_cast<float>(truth.change.added.size() + truth.change.removed.size());
   if (hit > 0) {

@@ -30,7 +30,7 @@ std::string hexadecimal(std::uint64_t value) {
 
 // All that decides the weights, as text: the checkpoint of anything else is not resumed.
 std::string identity_of(const std::string& data, const TrainingOptions& options) {
-  std::string text = "1 " + data + " " + to_json(options.ranker) + " " + std::to_string(kFeatureBuckets) +
+  std::string text = "2 " + data + " " + to_json(options.ranker) + " " + std::to_string(kFeatureBuckets) +
                      " " + std::to_string(kRunFeatures);
   for (const std::string* language :
        {&options.language.household, &options.language.english, &options.language.words})

@@ -1,0 +1,46 @@
+#include "components/goalnet/ranker/next_steps.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace goalnet::inference {
+
+NextSteps::NextSteps(const std::vector<Plan>& plans, const std::vector<StepKey>& done) {
+  float total = 1e-6f;
+  std::vector<StepKey> left;
+  for (const Plan& plan : plans) {
+    left = done;
+    std::optional<StepKey> next;
+    for (const StepKey step : plan.steps) {
+      const auto found = std::find(left.begin(), left.end(), step);
+      if (found != left.end())
+        left.erase(found);
+      else if (!next)
+        next = step;
+    }
+    const auto all = static_cast<float>(done.size() + 1);
+    const float fit = (all - static_cast<float>(left.size())) / all;
+    const float weight = plan.weight * fit * fit;
+    total += weight;
+    if (!next) {
+      stop_ += weight;
+      continue;
+    }
+    const auto known =
+        std::find_if(shares_.begin(), shares_.end(), [&](const auto& share) { return share.first == *next; });
+    if (known == shares_.end())
+      shares_.emplace_back(*next, weight);
+    else
+      known->second += weight;
+  }
+  for (auto& [step, share] : shares_) share /= total;
+  stop_ /= total;
+}
+
+float NextSteps::share(StepKey step) const {
+  for (const auto& [known, share] : shares_)
+    if (known == step) return share;
+  return 0;
+}
+
+}  // namespace goalnet::inference
