@@ -205,6 +205,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         told.asked = true;
         return i;
       }
+  // "I'm cold, shut... never mind. Bring me a pillow."
+  if (clause.phrases.empty() && clause.particles.empty() && i >= end && end + 1 < words_.size() &&
+      (clause.frame == Frame::kClose || clause.frame == Frame::kOpen || clause.frame == Frame::kPlace ||
+       clause.frame == Frame::kTake || clause.frame == Frame::kBring))
+    clause.weak = true;
   // "I need a break, turn on the tv"
   if (clause.wish && (i >= end || words_[i] == ","))
     clause.weak =

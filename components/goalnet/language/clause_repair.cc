@@ -151,7 +151,8 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
       ends_here(done, end) && (done >= end || words_[done] == "correction")) {
     bool pronoun = false;
     for (NounPhrase& old : last->phrases)
-      if (old.pronoun && old.role == Role::kDirect && old.word == "it") {
+      if (old.pronoun && old.role == Role::kDirect &&
+          (old.word == "it" || old.word == "them" || old.plural)) {
         phrase.role = Role::kDirect;
         old = phrase;
         pronoun = true;

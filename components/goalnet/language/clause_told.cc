@@ -31,7 +31,8 @@ std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
 // Whether the words begin with a subject and go on with a verb, as no command does.
 bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
   const std::string& first = words_[at];
-  if (one_of(first, kSubjects) || language_.wish(first) != nullptr) return stop > at + 1;
+  const bool pointer = one_of(first, kPointers) && reader_.starts(at + 1, stop);  // "that bowl too"
+  if ((one_of(first, kSubjects) && !pointer) || language_.wish(first) != nullptr) return stop > at + 1;
   // the subject: "my back", "the kids", "guests", "half the family"
   for (std::size_t i = at + 1; i < stop && i <= at + kLongestSubject; ++i) {
     const std::string& word = words_[i];

@@ -127,7 +127,9 @@ std::string FrameActions::take(const Clause& clause) {
                                                              clause.first(Role::kDestination) == nullptr) {
     const Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
     const bool drink = content == kWater || content == kCoffee;
-    if (drink && resolver_.options(*thing, Sort::kMovable, now_).empty()) return make(clause);
+    const bool hot =
+        content == kCoffee && (thing->has("hot") || thing->has("warm"));  // "let me have a hot coffee"
+    if (drink && (hot || resolver_.options(*thing, Sort::kMovable, now_).empty())) return make(clause);
   }
   // "take the mug to the sink" says where to put it; "take the mug on the shelf" where it is.
   Clause located = clause;

@@ -115,8 +115,9 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
         return phrase.phrase.empty() ? at : i + 1;
       }
       if (word == "one" && !determined && !last_thing_.empty() &&
-          (i + 1 >= end || language_.joins(words_.text[i + 1]) ||
-           words_.text[i + 1] == "please")) {  // "get me one"
+          (i + 1 >= end || language_.joins(words_.text[i + 1]) || words_.text[i + 1] == "please" ||
+           ((words_.text[i + 1] == "in" || words_.text[i + 1] == "on") &&
+            (i + 2 >= end || language_.joins(words_.text[i + 2]))))) {  // "get me one"
         phrase.phrase = phrase.word = last_thing_;
         return i + 1;
       }
