@@ -17,16 +17,12 @@ class HashIndex {
   // Forgets all; a small index keeps its memory, so that a reused one stops allocating.
   void clear() {
     used_ = 0;
-    if (bits_ != 0) {
-      pieces_.resize(1);
-      pieces_[0] = {};
-      directory_.clear();
-      bits_ = 0;
-    }
-    if (pieces_.empty()) return;
-    pieces_[0].used = 0;
+    bits_ = 0;
+    pieces_.clear();
+    directory_.clear();
+    first_.used = 0;
     if (++generation_ == 0) {  // wrapped: stale slots could look fresh
-      pieces_[0].slots.assign(pieces_[0].slots.size(), Slot{});
+      first_.slots.assign(first_.slots.size(), Slot{});
       generation_ = 1;
     }
   }
@@ -35,7 +31,7 @@ class HashIndex {
   template <class Same>
   std::int32_t find(std::uint64_t hash, const Same& same) const {
     if (used_ == 0) return kNone;
-    const Piece& piece = pieces_[place(hash)];
+    const Piece& piece = bits_ == 0 ? first_ : pieces_[place(hash)];
     const std::size_t mask = piece.slots.size() - 1;
     for (std::size_t at = hash & mask;; at = (at + 1) & mask) {
       const Slot slot = piece.slots[at];
@@ -48,10 +44,8 @@ class HashIndex {
   // hashes of numbers added before.
   template <class Same, class HashOf>
   std::int32_t find_or_add(std::uint64_t hash, std::int32_t next, const Same& same, const HashOf& hash_of) {
-    if (pieces_.empty()) pieces_.emplace_back();
-    while (2 * (pieces_[place(hash)].used + 1) > pieces_[place(hash)].slots.size())
-      make_room(place(hash), hash_of);
-    Piece& piece = pieces_[place(hash)];
+    while (2 * (piece_of(hash).used + 1) > piece_of(hash).slots.size()) make_room(hash, hash_of);
+    Piece& piece = piece_of(hash);
     const std::size_t mask = piece.slots.size() - 1;
     std::size_t at = hash & mask;
     for (; piece.slots[at].generation == generation_; at = (at + 1) & mask) {
@@ -76,27 +70,31 @@ class HashIndex {
   static constexpr std::size_t kFewestSlots = 64, kMostSlots = std::size_t{1} << 14;
   static constexpr unsigned kMostBits = 20;
 
-  std::size_t place(std::uint64_t hash) const { return bits_ == 0 ? 0 : directory_[hash >> (64 - bits_)]; }
+  std::size_t place(std::uint64_t hash) const { return directory_[hash >> (64 - bits_)]; }
+  Piece& piece_of(std::uint64_t hash) { return bits_ == 0 ? first_ : pieces_[place(hash)]; }
 
+  // In the piece that this hash belongs to.
   template <class HashOf>
-  void make_room(std::size_t at, const HashOf& hash_of) {
-    const std::size_t slots = pieces_[at].slots.size();
-    if (slots < kMostSlots || pieces_[at].bits == kMostBits) {
-      const std::vector<Slot> old = std::exchange(pieces_[at].slots, {});
-      pieces_[at].slots.assign(slots == 0 ? kFewestSlots : 2 * slots, Slot{});
+  void make_room(std::uint64_t hash, const HashOf& hash_of) {
+    Piece& full = piece_of(hash);
+    const std::size_t slots = full.slots.size();
+    if (slots < kMostSlots || full.bits == kMostBits) {
+      const std::vector<Slot> old = std::exchange(full.slots, {});
+      full.slots.assign(slots == 0 ? kFewestSlots : 2 * slots, Slot{});
       for (const Slot slot : old) {
-        if (slot.generation == generation_) put(pieces_[at], slot, hash_of(slot.number));
+        if (slot.generation == generation_) put(full, slot, hash_of(slot.number));
       }
       return;
     }
+    if (bits_ == 0) {
+      pieces_.push_back(std::exchange(first_, Piece{}));
+      directory_ = {0};
+    }
+    const std::size_t at = bits_ == 0 ? 0 : place(hash);
     if (pieces_[at].bits == bits_) {  // one more bit of the hash: every entry of the directory twice
       std::vector<std::uint32_t> twice;
-      twice.reserve(std::size_t{2} << bits_);
-      for (std::size_t i = 0; i < std::size_t{1} << bits_; ++i) {
-        const std::uint32_t piece = bits_ == 0 ? 0 : directory_[i];
-        twice.push_back(piece);
-        twice.push_back(piece);
-      }
+      twice.reserve(2 * directory_.size());
+      for (const std::uint32_t piece : directory_) twice.insert(twice.end(), 2, piece);
       directory_ = std::move(twice);
       ++bits_;
     }
@@ -113,9 +111,9 @@ class HashIndex {
     }
     for (const Slot slot : old.slots) {
       if (slot.generation != generation_) continue;
-      const std::uint64_t hash = hash_of(slot.number);
-      Piece& piece = pieces_[place(hash)];
-      put(piece, slot, hash);
+      const std::uint64_t its_hash = hash_of(slot.number);
+      Piece& piece = pieces_[place(its_hash)];
+      put(piece, slot, its_hash);
       ++piece.used;
     }
   }
@@ -126,9 +124,9 @@ class HashIndex {
     piece.slots[at] = slot;
   }
 
-  std::vector<Piece> pieces_;
-  std::vector<std::uint32_t>
-      directory_;  // by the first bits_ bits of the hash; empty while there is one piece
+  Piece first_;                           // all there is while bits_ is 0
+  std::vector<Piece> pieces_;             // after that
+  std::vector<std::uint32_t> directory_;  // by the first bits_ bits of the hash: number of the piece
   unsigned bits_ = 0;
   std::size_t used_ = 0;
   std::uint32_t generation_ = 1;

@@ -80,6 +80,7 @@ bool DomainParser::constants(const Token& section_word) {
   if (!once(&seen_constants_, section_word)) return false;
   TypedNames names;
   if (!typed_list(domain_, false, "a constant", &names) || !expect_close(":constants")) return false;
+  domain_.constants.reserve(names.size());
   for (const TypedName& entry : names) {
     if (stop_asked()) return false;
     if (domain_.constants.find(entry.name) != SymbolTable::kNone) {

@@ -10,7 +10,8 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 Parser::Parser(std::string_view text, std::string_view filename, const std::stop_token& stop)
     : lexer_(text.size() <= kLargestText ? text : std::string_view{}, stop),
       filename_(filename),
-      stop_(stop) {
+      stop_(stop),
+      stoppable_(stop.stop_possible()) {
   if (text.size() > kLargestText) {
     fail_at(0, "the text has " + std::to_string(text.size() >> 20) + " MB; at most " +
                    std::to_string(kLargestText >> 20) + " MB are read");

@@ -51,7 +51,7 @@ class Parser {
   const Token& peek() const { return lexer_.peek(); }
   Token next() {
     const Token token = lexer_.next();
-    return stop_asked() ? Token{Token::Kind::kEnd, {}, token.offset} : token;
+    return stoppable_ && stop_asked() ? Token{Token::Kind::kEnd, {}, token.offset} : token;
   }
   bool expect_open(const char* what);
   bool expect_close(const char* what);
@@ -87,6 +87,7 @@ class Parser {
   Lexer lexer_;
   std::string filename_;
   std::stop_token stop_;
+  bool stoppable_;
   std::optional<Error> error_;
 };
 

@@ -32,6 +32,7 @@ ObjectId Problem::add_object(std::string_view object_name, TypeId type) {
 }
 
 void Problem::reserve_objects(std::size_t more) {
+  objects_.reserve(more);
   object_types_.reserve(object_types_.size() + more);
   present_.reserve(present_.size() + more);
 }

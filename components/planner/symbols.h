@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,9 +25,11 @@ class SymbolTable {
   // The first of them, as many as did_you_mean() looks at.
   std::vector<std::string> first_names() const;
   void clear();
+  // For so many names more: adding them then moves none of those that are there.
+  void reserve(std::size_t more) { names_.reserve(names_.size() + more); }
 
  private:
-  std::deque<std::string> names_;  // grows without moving what is there
+  std::vector<std::string> names_;
   HashIndex index_;
 };
 
