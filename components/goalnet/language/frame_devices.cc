@@ -158,6 +158,13 @@ std::string FrameActions::turn(const Clause& clause, int on) {
           if (place == kMicrowave || (place >= kStoveFire_1 && place <= kStoveFire_4)) devices = {place};
         }
     }
+    // "the coke is on the stove, get it off": no device is meant
+    if (devices.empty() && on == 0 && clause.state == "off" && phrase.pronoun &&
+        !pronoun(phrase, Sort::kMovable, {}).empty()) {
+      Clause away = clause;
+      away.frame = Frame::kTake, away.verb = "take", away.state.clear();
+      return take(away);
+    }
     // "switch it off" where one thing only is on
     if (devices.empty() && phrase.pronoun && on >= 0) {
       for (const Symbol device : {kSinkKnob, kMicrowave, kTv_1, kStove})
