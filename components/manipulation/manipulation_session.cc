@@ -80,15 +80,12 @@ void ManipulationSession::open_topics() {
   trajectory_ = node_.advertise<trajectory_msgs::msg::JointTrajectory>("joint_trajectory");
   command_ = node_.advertise<std_msgs::msg::String>("executor_command");
   const ros::Qos standard = ros::Qos::standard();
-  request_ = node_.subscribe<ActionRequest>("action_request", standard,
-                                            [this](const auto& message) { on_request(message); });
   // Planning keeps the event loop busy: a cancel must reach it from outside.
-  cancel_at_once_ = node_.subscribe<ActionRequest>(
-      "action_request", standard,
+  request_ = node_.subscribe<ActionRequest>(
+      "action_request", standard, [this](const ActionRequest& message) { on_request(message); }, {},
       [this](const ActionRequest& message) {
         if (message.command() == goalnet_msgs::msg::ActionRequest_Constants::CANCEL) interrupt();
-      },
-      {.immediate = true});
+      });
   instruction_cancelled_ = node_.subscribe<goalnet_msgs::msg::CancelInstruction>(
       "cancel_instruction", standard,
       [this](const goalnet_msgs::msg::CancelInstruction& message) {

@@ -75,7 +75,6 @@ class ManipulationSession {
   std::shared_ptr<ros::Publisher<trajectory_msgs::msg::JointTrajectory>> trajectory_;
   std::shared_ptr<ros::Publisher<std_msgs::msg::String>> command_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ActionRequest>> request_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ActionRequest>> cancel_at_once_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::CancelInstruction>> instruction_cancelled_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::ExecutorStatus>> executor_status_;
   std::shared_ptr<ros::Subscription<sensor_msgs::msg::JointState>> joint_states_;

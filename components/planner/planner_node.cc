@@ -48,15 +48,15 @@ Expected<void> PlannerNode::on_configure() {
 
 Expected<void> PlannerNode::on_activate() {
   plan_ = node_.advertise<goalnet_msgs::msg::Plan>("plan");
-  goal_ = node_.subscribe<GoalPredicates>("goal_predicates", ros::Qos::standard(),
-                                          [this](const GoalPredicates& message) { on_goal(message); });
+  // A goal must end the search for the one before it even while that keeps the event loop busy (lockstep),
+  // and before its own turn comes: else it would itself be taken for the one before.
+  goal_ = node_.subscribe<GoalPredicates>(
+      "goal_predicates", ros::Qos::standard(), [this](const GoalPredicates& message) { on_goal(message); },
+      {}, [this](const GoalPredicates& message) { on_newer(message); });
   world_state_ = node_.subscribe<goalnet_msgs::msg::WorldState>(
       "world_state", ros::Qos::latched(),
       [this](const goalnet_msgs::msg::WorldState& message) { on_world(message); });
-  // In lockstep a search keeps the event loop busy: a cancel, or a newer goal, must reach it from outside.
-  newer_ = node_.subscribe<GoalPredicates>("goal_predicates", ros::Qos::standard(),
-                                           [this](const GoalPredicates& message) { on_newer(message); },
-                                           {.immediate = true});
+  // A cancel must not wait for the event loop either.
   cancel_ = node_.subscribe<goalnet_msgs::msg::CancelInstruction>(
       "cancel_instruction", ros::Qos::standard(),
       [this](const goalnet_msgs::msg::CancelInstruction& message) { on_cancel(message); },
@@ -66,10 +66,9 @@ Expected<void> PlannerNode::on_activate() {
 
 Expected<void> PlannerNode::on_deactivate() {
   cancel_.reset();
-  newer_.reset();
+  goal_.reset();
   stop_searching();
   world_state_.reset();
-  goal_.reset();
   plan_.reset();
   waiting_.reset();
   world_.reset();

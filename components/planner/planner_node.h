@@ -101,7 +101,6 @@ class PlannerNode : public ros::ManagedComponent {
   std::jthread thread_;
   std::shared_ptr<ros::Publisher<goalnet_msgs::msg::Plan>> plan_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::GoalPredicates>> goal_;
-  std::shared_ptr<ros::Subscription<goalnet_msgs::msg::GoalPredicates>> newer_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::WorldState>> world_state_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::CancelInstruction>> cancel_;
 };

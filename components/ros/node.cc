@@ -149,14 +149,15 @@ std::shared_ptr<Writer> Node::open_writer(const std::string& topic, const idl::T
 
 std::shared_ptr<SubscriptionBase> Node::open_subscription(const std::string& topic,
                                                           const idl::TypeSupport& support, const Qos& qos,
+                                                          SubscriptionBase::Callback arrival,
                                                           SubscriptionBase::Callback callback,
                                                           SubscribeOptions options) {
   auto report = [this, topic, name = std::string(support.ros_name)](const char* why) {
     log().warn("dropped a malformed message on {} ({}): {}", topic, name, why);
   };
-  auto base =
-      std::make_shared<SubscriptionBase>(loop_, qos.keep_all ? 10'000 : std::max<std::uint32_t>(qos.depth, 1),
-                                         options.immediate, std::move(callback), std::move(report));
+  auto base = std::make_shared<SubscriptionBase>(
+      loop_, qos.keep_all ? 10'000 : std::max<std::uint32_t>(qos.depth, 1), options.immediate,
+      std::move(arrival), std::move(callback), std::move(report));
   const auto opened =
       base->open(context_.participant(), EndpointOptions::of(support, topic_to_dds(topic), qos, full_name_));
   if (!opened) throw std::runtime_error(opened.error().message);

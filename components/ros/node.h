@@ -58,17 +58,24 @@ class Node {
     return std::make_shared<Publisher<Message>>(open_writer(name, idl::type_support<Message>(), qos), name);
   }
 
-  // `callback` runs on the event loop, in order of arrival; the queue holds qos.depth messages.
+  // `callback` runs on the event loop, in order of arrival; the queue holds qos.depth messages. `arrival`, if
+  // given, runs before it for each message, at once in the thread that delivers: it may only raise flags.
   template <class Message>
   std::shared_ptr<Subscription<Message>> subscribe(const std::string& topic, const Qos& qos,
                                                    std::function<void(const Message&)> callback,
-                                                   SubscribeOptions options = {}) {
+                                                   SubscribeOptions options = {},
+                                                   std::function<void(const Message&)> arrival = {}) {
     const std::string name = resolve(topic);
-    auto untyped = [call = std::move(callback)](const void* message, const SampleInfo&) {
-      call(*static_cast<const Message*>(message));
+    const auto untyped = [](std::function<void(const Message&)> call) -> SubscriptionBase::Callback {
+      if (!call) return {};
+      return [call = std::move(call)](const void* message, const SampleInfo&) {
+        call(*static_cast<const Message*>(message));
+      };
     };
     return std::make_shared<Subscription<Message>>(
-        open_subscription(name, idl::type_support<Message>(), qos, std::move(untyped), options), name);
+        open_subscription(name, idl::type_support<Message>(), qos, untyped(std::move(arrival)),
+                          untyped(std::move(callback)), options),
+        name);
   }
 
   // On the node's clock; the first call comes one period from now.
@@ -115,6 +122,7 @@ class Node {
                                       const Qos& qos);
   std::shared_ptr<SubscriptionBase> open_subscription(const std::string& topic,
                                                       const idl::TypeSupport& support, const Qos& qos,
+                                                      SubscriptionBase::Callback arrival,
                                                       SubscriptionBase::Callback callback,
                                                       SubscribeOptions options);
 

@@ -2,11 +2,12 @@
 
 namespace goalnet::ros {
 
-SubscriptionBase::SubscriptionBase(EventLoop& loop, std::size_t depth, bool immediate, Callback callback,
-                                   DropReport report)
+SubscriptionBase::SubscriptionBase(EventLoop& loop, std::size_t depth, bool immediate, Callback arrival,
+                                   Callback callback, DropReport report)
     : loop_(loop),
       depth_(depth),
       immediate_(immediate),
+      arrival_(std::move(arrival)),
       callback_(std::move(callback)),
       report_(std::move(report)) {}
 
@@ -24,6 +25,7 @@ Expected<void> SubscriptionBase::open(const std::shared_ptr<detail::Participant>
 }
 
 void SubscriptionBase::on_message(std::shared_ptr<void> message, const SampleInfo& info) {
+  if (arrival_) arrival_(message.get(), info);
   if (immediate_) {
     callback_(message.get(), info);
     return;

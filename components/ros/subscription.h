@@ -26,7 +26,9 @@ class SubscriptionBase : public std::enable_shared_from_this<SubscriptionBase> {
  public:
   using Callback = std::function<void(const void* message, const SampleInfo& info)>;
   using DropReport = std::function<void(const char* why)>;  // runs in the event loop
-  SubscriptionBase(EventLoop& loop, std::size_t depth, bool immediate, Callback callback, DropReport report);
+  // `arrival` may be empty.
+  SubscriptionBase(EventLoop& loop, std::size_t depth, bool immediate, Callback arrival, Callback callback,
+                   DropReport report);
 
   Expected<void> open(const std::shared_ptr<detail::Participant>& participant,
                       const EndpointOptions& options);
@@ -46,6 +48,7 @@ class SubscriptionBase : public std::enable_shared_from_this<SubscriptionBase> {
   EventLoop& loop_;
   const std::size_t depth_;
   const bool immediate_;
+  Callback arrival_;
   Callback callback_;
   DropReport report_;
   std::mutex mutex_;
