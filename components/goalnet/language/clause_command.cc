@@ -72,6 +72,17 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         if (subject && tells(next, part_end(next, end)) && !reader_.starts(done, end)) break;
         const bool statement_follows = done < end && (language_.copula(words_[done]) || phrase.person);
         if (statement_follows && after == done) break;
+        if (words_[i] == "," && next == i + 1 && words_[next] == "the" && words_[next + 1] == "one" &&
+            !phrase.at.empty()) {  // "set the beer on the table, my book too, the one lying on the shelf"
+          const auto named = std::find_if(clause.phrases.rbegin(), clause.phrases.rend(), [&](const auto& p) {
+            return !p.pronoun && p.at.empty() && !lexicon_->is_place_name(p.phrase);
+          });
+          if (named != clause.phrases.rend()) {
+            named->at = phrase.at;
+            i = done;
+            continue;
+          }
+        }
         for (std::size_t k = i; k < next; ++k) phrase.alternative = phrase.alternative || words_[k] == "or";
         for (std::size_t k = i; k < next; ++k)
           if (words_[k] == "except" || words_[k] == "but") phrase.role = Role::kExcept;
@@ -197,6 +208,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     told->asked = true;
     return i;
   }
+  // "it goes on the shelf, put it back": there, wherever it stood
+  if (result_.clauses.size() > 0 && result_.clauses.back().belongs && clause.has_particle("back") &&
+      clause.frame == Frame::kPlace && clause.phrases.size() == 1 && clause.phrases.front().pronoun &&
+      clause.mood == Mood::kCommand)
+    return i;
   if (clause.frame == Frame::kChange)  // "I wonder what is on channel two, switch over"
     for (Clause& told : result_.clauses)
       if (told.mood == Mood::kStatement && told.frame == Frame::kChange && told.wish &&

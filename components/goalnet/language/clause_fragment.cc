@@ -45,6 +45,14 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     for (NounPhrase& phrase : clause.phrases) phrase.at.push_back(source);
     i = done;
   }
+  // "energy drink out of it and onto the counter"
+  if (i < end && (words_[i] == "from" || words_[i] == "out")) {
+    std::size_t k = i + 1;
+    while (k < end && (words_[k] == "of" || words_[k] == "it" || words_[k] == "there")) ++k;
+    while (k < end && language_.joins(words_[k])) ++k;
+    NounPhrase to;
+    if (reader_.read_place(k, end, to) != k && !to.person) i = k;
+  }
   NounPhrase place;
   bool polite = false;
   for (const std::string& word : words_)

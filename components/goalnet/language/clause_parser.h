@@ -44,6 +44,7 @@ class ClauseParser {
   bool ends_here(std::size_t at, std::size_t end) const;  // only small words up to the end of the part
   void add_told(std::size_t at, std::size_t stop);
   std::size_t aside(std::size_t at, std::size_t end);
+  bool tells_time(std::size_t at, std::size_t stop) const;
   std::size_t exclamation(std::size_t at, std::size_t end) const;
   std::size_t part_end(std::size_t at, std::size_t end) const;
   bool tells(std::size_t at, std::size_t stop) const;

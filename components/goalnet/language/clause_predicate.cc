@@ -24,6 +24,7 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         clause.phrases.push_back(place);
       } else if (desired) {
         clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
+        clause.belongs = true;
         place.role = Role::kDestination;
         clause.phrases.push_back(place);
       } else if (place.phrase == "channel" && place.number > 0) {  // "my show is on channel 2"

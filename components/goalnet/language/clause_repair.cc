@@ -18,12 +18,15 @@ bool ClauseParser::ends_here(std::size_t at, std::size_t end) const {
 // "it's the one on the coffee table", "they are on the shelf": tells of the things just asked for where they
 // are.
 std::size_t ClauseParser::narrows(std::size_t at, std::size_t end) {
-  if (at + 2 >= end || !is_pronoun(words_[at]) || (words_[at + 1] != "is" && words_[at + 1] != "are") ||
-      result_.clauses.empty() || result_.clauses.back().mood != Mood::kCommand)
+  const bool told = at + 2 < end && is_pronoun(words_[at]) && (words_[at + 1] == "is" || words_[at + 1] == "are");
+  const bool the_one = at + 2 < end && words_[at] == "the" && words_[at + 1] == "one";  // "the one on the shelf"
+  if ((!told && !the_one) || result_.clauses.empty() || result_.clauses.back().mood != Mood::kCommand)
     return at;
   NounPhrase same, place;
-  std::size_t done = reader_.read(at + 2, end, same);
-  if (done != at + 2 && same.word != "one") return at;
+  const std::size_t from = told ? at + 2 : at;
+  std::size_t done = reader_.read(from, end, same);
+  if (done != from && same.word != "one" && !the_one) return at;
+  if (the_one && (done == from || same.at.empty())) return at;
   if (same.at.empty()) {
     const std::size_t after = reader_.read_place(done, end, place);
     if (after == done || place.pronoun || place.person) return at;
@@ -140,8 +143,11 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   }
   // "spoon in the bowl, put it ...": that is a request of its own
   const bool definite = one_of(words_[at], kArticles) || one_of(words_[at], kPointers) || phrase.everything;
-  // "the beer's empty, toss it"
-  if (done + 1 < end && words_[done + 1] == "," && definite &&
+  // "the beer's empty, toss it", "kettle's already full, boil it"
+  const bool already = done + 2 < end && (words_[done] == "already" || words_[done] == "still");
+  if (already && language_.wanted_by_state(words_[done + 1]) != Frame::kNone && words_[done + 2] == ",")
+    ++done;
+  if (done + 1 < end && words_[done + 1] == "," && (definite || already) &&
       (language_.wanted_by_state(words_[done]) != Frame::kNone ||
        language_.complaint(words_[done]) != Frame::kNone))
     ++done;
@@ -159,7 +165,23 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
       }
     if (pronoun) return end;
   }
-  if (done >= end || words_[done] != "," || !(definite || named_only)) return at;
+  if (done >= end || words_[done] != "," || !(definite || named_only || already)) return at;
+  // "the plate and the bowl, bring to the counter"
+  if (NounPhrase place; opens_command(done + 1, end) && definite && done + 2 < end &&
+                        language_.wanted_by_state(words_[done + 1]) == Frame::kNone) {
+    const std::size_t after = reader_.read_place(done + 2, end, place);
+    const Frame frame = language_.verb(words_[done + 1]);
+    if (after != done + 2 && !place.person && !place.pronoun && ends_here(after, end) &&
+        (frame == Frame::kPlace || frame == Frame::kBring || frame == Frame::kTake)) {
+      phrase.role = Role::kDirect;
+      fronted_ = {std::move(phrase)};
+      for (NounPhrase& other : more) {
+        other.role = Role::kDirect;
+        fronted_.push_back(std::move(other));
+      }
+      return command(done + 1, end, Mood::kCommand);
+    }
+  }
   // a command with "it", or "water in", follows
   const std::size_t next = done + 1;
   if (next < end && words_[next] != "wish" && !opens_command(skip_joins(next, end), end) && !named_only)

@@ -13,6 +13,7 @@ constexpr std::size_t kLongestExclamation = 2;  // words
 constexpr std::size_t kLongestSubject = 5;
 constexpr std::array kOccasions = {"time"sv,  "night"sv,   "day"sv,    "break"sv,
                                    "party"sv, "evening"sv, "o'clock"sv};
+constexpr std::array kTimes = {"second"sv, "minute"sv, "min"sv, "hour"sv, "day"sv};
 
 }  // namespace
 
@@ -61,7 +62,8 @@ void ClauseParser::add_told(std::size_t at, std::size_t stop) {
       clause.frame = Frame::kChange, clause.verb = "change", clause.wish = true;  // "my show is on channel 4"
       phrase.role = Role::kDirect;
       clause.phrases = {std::move(phrase)};
-    } else if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty() && !clause.wish) {
+    } else if (done != i && !phrase.person && !phrase.unknown && !clause.wish &&
+               (!phrase.phrase.empty() || (phrase.everything && !phrase.at.empty()))) {
       phrase.role = place ? Role::kDestination : Role::kDirect;
       clause.phrases.push_back(std::move(phrase));
     }
@@ -111,11 +113,26 @@ std::size_t ClauseParser::aside(std::size_t at, std::size_t end) {
   return stop;
 }
 
+// "exam in 20 minutes", "guests at eight": what happens, and when. Where a verb or a thing of this place is spoken of
+// somebody may want that done then, which nobody here can.
+bool ClauseParser::tells_time(std::size_t at, std::size_t stop) const {
+  if (stop < at + 3 || stop > at + kLongestSubject) return false;
+  for (std::size_t i = at; i < stop; ++i)
+    if (reader_.name_length(i) > 0 || is_pronoun(words_[i])) return false;
+  if (opens_command(at, stop)) return false;
+  const bool number = number_word(words_[stop - 1]) > 0 ||
+                      words_[stop - 1].find_first_not_of("0123456789") == std::string::npos;
+  if (words_[stop - 2] == "at") return number;
+  return one_of(words_[stop - 1], kTimes) &&
+         (words_[stop - 3] == "in" || (stop > at + 3 && words_[stop - 4] == "in"));
+}
+
 // "movie night!", "bedtime, kids": one or two words on their own that name and do nothing here.
 std::size_t ClauseParser::exclamation(std::size_t at, std::size_t end) const {
   if (at > 0 && words_[at - 1] != "," && words_[at - 1] != ".") return at;
   std::size_t stop = at;
   while (stop < end && words_[stop] != ",") ++stop;
+  if (tells_time(at, stop)) return stop;
   if (stop == at || stop - at > kLongestExclamation) return at;
   if (stop - at == 2 && one_of(words_[at + 1], kOccasions)) return stop;  // "movie night!"
   for (std::size_t i = at; i < stop; ++i)

@@ -40,6 +40,11 @@ std::size_t ClauseParser::forbidden(std::size_t at, std::size_t end) {
       return done;
     }
   }
+  // "no, not the one on the counter": which is not said, but nothing is asked of it
+  if (NounPhrase where; at + 3 < end && words_[at + 1] == "the" && words_[at + 2] == "one") {
+    const std::size_t done = reader_.read_place(at + 3, end, where);
+    if (done != at + 3 && ends_here(done, end)) return done;
+  }
   if (verb < end && words_[verb] == "wish") {  // "I do not want this coffee any more"
     const std::size_t done = command(verb, end, Mood::kForbidden);
     if (result_.clauses.back().mood == Mood::kForbidden) {

@@ -186,7 +186,8 @@ void FrameActions::notice(const Clause& clause) {
   int told = 0;
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.role == Role::kDestination && !phrase.pronoun && !phrase.bare() && !phrase.unknown)
-      if (const Objects there = resolver_.options(phrase, Sort::kAny, now_); !there.empty()) {
+      if (const Objects there = resolver_.chosen(phrase, resolver_.options(phrase, Sort::kAny, now_));
+          !there.empty()) {
         last_destination_ = {there.front()};
         history_.insert(history_.begin(), {there.front()});
       }
@@ -200,6 +201,12 @@ void FrameActions::notice(const Clause& clause) {
     const bool content = language_.content(phrase.phrase) != kNone && !phrase.at.empty();
     content_told_ = content ? phrase.phrase : std::string();
     if (phrase.everything) mass_ = objects;
+    // "there is stuff on that burner, clear everything from there"
+    if (phrase.everything && phrase.at.size() == 1 && !phrase.at.front().pronoun && !phrase.at.front().bare())
+      if (const Objects there = resolver_.chosen(
+              phrase.at.front(), resolver_.options(phrase.at.front(), Sort::kPlace, now_));
+          !there.empty())
+        last_destination_ = {there.front()};
     // "there is an armchair without a pillow, put one there"
     if (!objects.empty() && resolver_.class_of(objects.front())->place &&
         !resolver_.class_of(objects.front())->movable)

@@ -121,6 +121,11 @@ std::string FrameActions::put(const Clause& said) {
     return add_content(*with, history_.empty() ? vessels.front() : history_.back().front(), done);
   };
   if (content != kNone && into_dish && thing->content.empty()) {
+    // "I want boiling water in the kettle": where none is hot yet it is heated there
+    if (content == kWater && (thing->has("boiling") || thing->has("hot")) && resolver_.is_vessel(vessels.front())) {
+      const Symbol has = vessel_with(kWater);
+      if (has == kNone || !now_.is(has, ktemperatureHigh)) return with_the_rest(heat(clause, false));
+    }
     if (content == kWater || content == kCoffee) return with_the_rest(pour(clause));
     if (content == kIceCream) return with_the_rest(scoop(clause));
     // "serve coke in a glass": a can does not go into a glass, what it holds does

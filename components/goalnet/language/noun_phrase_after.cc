@@ -173,10 +173,12 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
     // "the armchair without a pillow"
     if (word == "without" && lexicon_.is_place_name(phrase.phrase)) {
       NounPhrase missing;
-      const std::size_t done = read(i + 1, end, missing);
+      std::size_t done = read(i + 1, end, missing);
+      if (done == i + 1 && i + 1 < end && (words_.text[i + 1] == "one" || words_.text[i + 1] == "any"))
+        done = i + 2;  // "put it on the armchair without one"
       if (done == i + 1) return i;
       phrase.adjectives.push_back("free");
-      last_thing_ = missing.phrase;
+      if (!missing.phrase.empty()) last_thing_ = missing.phrase;
       i = done;
       continue;
     }

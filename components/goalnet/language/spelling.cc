@@ -13,6 +13,11 @@ bool same_letters(std::string a, std::string b) {
   return a == b;
 }
 
+std::string without_doubles(std::string word) {
+  word.erase(std::unique(word.begin(), word.end()), word.end());
+  return word;
+}
+
 }  // namespace
 
 int spelling_distance(std::string_view a, std::string_view b, int most) {
@@ -50,7 +55,8 @@ std::vector<std::string> Language::within_a_slip(const std::string& word) const 
     // People rarely miss the first letter; and words that name or do something matter most.
     // A letter swapped, lost or doubled is likelier than another letter.
     const bool replaced = candidate.size() == word.size() && !same_letters(word, candidate);
-    found.emplace_back(8 * distance + (candidate.front() == word.front() ? 0 : 4) + (replaced ? 3 : 0) +
+    const bool doubled = !rewrites_.empty() && without_doubles(word) == without_doubles(candidate);  // "glas"
+    found.emplace_back(8 * distance - (doubled ? 3 : 0) + (candidate.front() == word.front() ? 0 : 4) + (replaced ? 3 : 0) +
                            (filler(candidate) ? 1 : 0),
                        candidate);
   }

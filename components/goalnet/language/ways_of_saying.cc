@@ -31,6 +31,15 @@ void drop_intensifiers(std::vector<std::string>& text) {
   text = std::move(kept);
 }
 
+// "the mug and the cups all need to go in the sink"
+void drop_distributive(std::vector<std::string>& text) {
+  static constexpr std::array kBefore = {"need"sv, "needs"sv, "belong"sv, "belongs"sv, "should"sv, "must"sv, "ought"sv};
+  for (std::size_t i = 1; i + 1 < text.size(); ++i)
+    if ((text[i] == "all" || text[i] == "both" || text[i] == "each") && text[i - 1] != "," &&
+        text[i - 1] != "." && text[i - 1] != "and" && one_of(text[i + 1], kBefore))
+      text.erase(text.begin() + static_cast<long>(i));
+}
+
 // "we're wasting it" comes as "were": at the beginning of a clause nothing else fits.
 void split_were(std::vector<std::string>& text) {
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -154,6 +163,7 @@ void speak_for_others(std::vector<std::string>& text, const Language& language) 
 void say_plainly(std::vector<std::string>& text, const Language& language) {
   split_were(text);
   drop_intensifiers(text);
+  drop_distributive(text);
   speak_for_others(text, language);
   repeat_numbered(text, language);
   ask_politely(text);
