@@ -63,6 +63,7 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
       if (next >= end || starts_clause(next, end)) break;
+      if (word == "," && tells_time(next, part_end(next, end))) break;  // "bring the mug, bus in an hour"
       NounPhrase phrase;
       const std::size_t done = reader_.read(next, end, phrase);
       if (done != next && !clause.phrases.empty()) {
@@ -72,17 +73,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         if (subject && tells(next, part_end(next, end)) && !reader_.starts(done, end)) break;
         const bool statement_follows = done < end && (language_.copula(words_[done]) || phrase.person);
         if (statement_follows && after == done) break;
-        if (words_[i] == "," && next == i + 1 && words_[next] == "the" && words_[next + 1] == "one" &&
-            !phrase.at.empty()) {  // "set the beer on the table, my book too, the one lying on the shelf"
-          const auto named = std::find_if(clause.phrases.rbegin(), clause.phrases.rend(), [&](const auto& p) {
-            return !p.pronoun && p.at.empty() && !lexicon_->is_place_name(p.phrase);
-          });
-          if (named != clause.phrases.rend()) {
-            named->at = phrase.at;
-            i = done;
-            continue;
-          }
-        }
+        // "a book, the one on the shelf": tells which book
+        if (NounPhrase at_place; words_[i] == "," && words_[next] == "the" && words_[next + 1] == "one" &&
+                                 ends_here(std::max(done, reader_.read_place(done, end, at_place)), end) &&
+                                 !(phrase.at.empty() && at_place.bare()))
+          break;
         for (std::size_t k = i; k < next; ++k) phrase.alternative = phrase.alternative || words_[k] == "or";
         for (std::size_t k = i; k < next; ++k)
           if (words_[k] == "except" || words_[k] == "but") phrase.role = Role::kExcept;

@@ -46,12 +46,17 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     i = done;
   }
   // "energy drink out of it and onto the counter"
-  if (i < end && (words_[i] == "from" || words_[i] == "out")) {
-    std::size_t k = i + 1;
-    while (k < end && (words_[k] == "of" || words_[k] == "it" || words_[k] == "there")) ++k;
+  if (i + 1 < end && (words_[i] == "from" || words_[i] == "out")) {
+    std::size_t k = words_[i + 1] == "of" ? i + 2 : i + 1;
+    NounPhrase source;
+    k = std::max(reader_.read(k, end, source, true), k);
+    if (k < end && words_[k] == "there") ++k;
     while (k < end && language_.joins(words_[k])) ++k;
     NounPhrase to;
-    if (reader_.read_place(k, end, to) != k && !to.person) i = k;
+    if (reader_.read_place(k, end, to) != k && !to.person && !source.unknown && !source.person) {
+      if (!source.pronoun && !source.bare()) clause.phrases.front().at.push_back(source);
+      i = k;
+    }
   }
   NounPhrase place;
   bool polite = false;

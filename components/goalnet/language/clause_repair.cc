@@ -18,15 +18,17 @@ bool ClauseParser::ends_here(std::size_t at, std::size_t end) const {
 // "it's the one on the coffee table", "they are on the shelf": tells of the things just asked for where they
 // are.
 std::size_t ClauseParser::narrows(std::size_t at, std::size_t end) {
-  const bool told = at + 2 < end && is_pronoun(words_[at]) && (words_[at + 1] == "is" || words_[at + 1] == "are");
-  const bool the_one = at + 2 < end && words_[at] == "the" && words_[at + 1] == "one";  // "the one on the shelf"
+  const bool told =
+      at + 2 < end && is_pronoun(words_[at]) && (words_[at + 1] == "is" || words_[at + 1] == "are");
+  const bool the_one =
+      at + 2 < end && words_[at] == "the" && words_[at + 1] == "one";  // "the one on the shelf"
   if ((!told && !the_one) || result_.clauses.empty() || result_.clauses.back().mood != Mood::kCommand)
     return at;
   NounPhrase same, place;
   const std::size_t from = told ? at + 2 : at;
   std::size_t done = reader_.read(from, end, same);
   if (done != from && same.word != "one" && !the_one) return at;
-  if (the_one && (done == from || same.at.empty())) return at;
+  if (the_one && done == from) return at;
   if (same.at.empty()) {
     const std::size_t after = reader_.read_place(done, end, place);
     if (after == done || place.pronoun || place.person) return at;
@@ -35,12 +37,21 @@ std::size_t ClauseParser::narrows(std::size_t at, std::size_t end) {
     place = same.at.front();
   }
   if (!ends_here(done, end)) return at;
-  for (NounPhrase& phrase : result_.clauses.back().phrases)
-    if (phrase.role == Role::kDirect && !phrase.pronoun) {
-      phrase.at.push_back(place);
-      return done;
-    }
-  return at;
+  std::vector<NounPhrase>& phrases = result_.clauses.back().phrases;
+  const auto meant = [&](const NounPhrase& phrase) {
+    return !phrase.pronoun && phrase.at.empty() &&
+           (phrase.role == Role::kDirect || (the_one && phrase.joined));
+  };
+  if (the_one) {  // the newest
+    const auto named = std::find_if(phrases.rbegin(), phrases.rend(), meant);
+    if (named == phrases.rend()) return at;
+    named->at.push_back(place);
+    return done;
+  }
+  const auto named = std::find_if(phrases.begin(), phrases.end(), meant);
+  if (named == phrases.end()) return at;
+  named->at.push_back(place);
+  return done;
 }
 
 std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {

@@ -87,7 +87,10 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
            words_[i - 1] != "to" && words_[i - 1] != "i" && words_[i - 1] != "you" &&
            words_[i - 1] != "can" && words_[i - 1] != "not";
   };
-  while (next < end && words_[next] != "," && !command_begins(next) &&
+  const auto tells_on = [&](std::size_t i) {  // "so I was going to cook but there is stuff on the stove"
+    return words_[i] == "but" && i + 2 < end && words_[i + 1] == "there" && language_.copula(words_[i + 2]);
+  };
+  while (next < end && words_[next] != "," && !command_begins(next) && !tells_on(next) &&
          !(words_[next] == "and" && opens_command(skip_joins(next, end), end)))
     ++next;
   return next;

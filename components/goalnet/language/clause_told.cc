@@ -24,6 +24,7 @@ std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
     if (word == ",") return i;
     if (i == at || (word != "and" && word != "so" && word != "but" && word != "then")) continue;
     const std::size_t next = skip_joins(i + 1, end);
+    if (next + 1 < end && words_[next] == "there" && language_.copula(words_[next + 1])) return i;
     if (next < end && (opens_command(next, end) || words_[next] == "wish" || words_[next] == "not")) return i;
   }
   return end;
@@ -113,8 +114,8 @@ std::size_t ClauseParser::aside(std::size_t at, std::size_t end) {
   return stop;
 }
 
-// "exam in 20 minutes", "guests at eight": what happens, and when. Where a verb or a thing of this place is spoken of
-// somebody may want that done then, which nobody here can.
+// "exam in 20 minutes", "guests at eight": what happens, and when. Where a verb or a thing of this place is
+// spoken of somebody may want that done then, which nobody here can.
 bool ClauseParser::tells_time(std::size_t at, std::size_t stop) const {
   if (stop < at + 3 || stop > at + kLongestSubject) return false;
   for (std::size_t i = at; i < stop; ++i)

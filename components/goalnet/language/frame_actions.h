@@ -14,17 +14,19 @@ namespace goalnet::inference {
 class FrameActions {
  public:
   FrameActions(const Instruction& instruction, const Lexicon& lexicon, const Language& language,
-               const Symbols& symbols, const SymState& start, const Distances* distances, bool closes_tap)
+               const Symbols& symbols, const SymState& start, const Distances* distances, bool at_home)
       : resolver_(instruction, lexicon, language, symbols, distances),
         language_(language),
         start_(start),
         now_(start),
-        closes_tap_(closes_tap) {}
+        at_home_(at_home),
+        closes_tap_(at_home) {}
 
   // Adds what the clause asks for; otherwise adds nothing and says why not, in one sentence.
   std::string add(const Clause& clause);
   // What is to be done when all is added: a tap that only filled something is turned off.
   void finish() { close_tap(); }
+  void leave_tap_on() { closes_tap_ = false; }
   // Whether `problem`, as add() said it, is that a thing spoken of is not here or not known.
   bool names_missing_thing(const std::string& problem) const {
     return !missing_.empty() && problem == missing_;
@@ -65,6 +67,7 @@ class FrameActions {
   // frame_moves.cc: carrying things about
   Problem go(const Clause& clause);
   Problem take(const Clause& clause);
+  Problem take_up(Symbol object);
   Problem put(const Clause& clause);
   Problem put_without_place(const Clause& clause);
   Problem stack(const Objects& objects);
@@ -86,6 +89,7 @@ class FrameActions {
   Problem fill_one(Symbol vessel, Symbol content);
   Problem fill_with_water(Symbol vessel);
   Problem pour(const Clause& clause);
+  Problem pour_into(Symbol source, Symbol vessel, bool named);
   Problem empty(const Clause& clause);
   Problem wash(const Clause& clause);
   Problem heat(const Clause& clause, bool boil);
@@ -116,6 +120,7 @@ class FrameActions {
   Objects taken_;                 // in the hands because somebody wants it there
   Objects mass_;                  // "everything", newest: "it" means all of that
   mutable Problem missing_;       // the last that said so; see names_missing_thing()
+  bool at_home_;                  // see FrameReader
   bool closes_tap_;
   bool tap_fills_ = false;  // it was turned on to fill something, and runs still
   bool tap_asked_ = false;  // somebody wants it to run

@@ -69,6 +69,14 @@ std::string FrameActions::make(const Clause& clause) {
       if (problem = fill_one(vessel, kCoffee); !problem.empty()) return problem;
       if (hot) return heat_objects({vessel}, resolver_.exists(kMicrowave), nullptr);
       return now_.holds(vessel) ? Problem{} : act({Verb::kGrasp, vessel});
+    case kCoke:
+    case kEnergyDrink:
+    case kCanadaDry:
+      if (vessel == kNone) vessel = of_class("glass");
+      if (vessel == kNone) return "there is nothing here to fill";
+      remember({vessel});
+      if (problem = fill_one(vessel, content); !problem.empty()) return problem;
+      return clause.frame == Frame::kTake || clause.to_person ? take_up(vessel) : Problem{};
     case kIceCream:
       if (vessel == kNone) vessel = of_class("bowl");
       if (vessel == kNone) return not_here("there is no bowl here");

@@ -203,8 +203,8 @@ void FrameActions::notice(const Clause& clause) {
     if (phrase.everything) mass_ = objects;
     // "there is stuff on that burner, clear everything from there"
     if (phrase.everything && phrase.at.size() == 1 && !phrase.at.front().pronoun && !phrase.at.front().bare())
-      if (const Objects there = resolver_.chosen(
-              phrase.at.front(), resolver_.options(phrase.at.front(), Sort::kPlace, now_));
+      if (const Objects there =
+              resolver_.chosen(phrase.at.front(), resolver_.options(phrase.at.front(), Sort::kPlace, now_));
           !there.empty())
         last_destination_ = {there.front()};
     // "there is an armchair without a pillow, put one there"

@@ -122,7 +122,8 @@ std::string FrameActions::put(const Clause& said) {
   };
   if (content != kNone && into_dish && thing->content.empty()) {
     // "I want boiling water in the kettle": where none is hot yet it is heated there
-    if (content == kWater && (thing->has("boiling") || thing->has("hot")) && resolver_.is_vessel(vessels.front())) {
+    if (content == kWater && (thing->has("boiling") || thing->has("hot")) &&
+        resolver_.is_vessel(vessels.front())) {
       const Symbol has = vessel_with(kWater);
       if (has == kNone || !now_.is(has, ktemperatureHigh)) return with_the_rest(heat(clause, false));
     }
@@ -146,6 +147,17 @@ std::string FrameActions::put(const Clause& said) {
     if (hot) return heat(clause, true);
   }
 
+  // "serve the ginger ale in the glass": what a can holds, not the can
+  if (into_dish && content == kNone && !thing->pronoun && !thing->bare() && !thing->everything &&
+      destination->where != Where::kOn && destination->where != Where::kNear) {
+    const auto cans = resolver_.options(*thing, Sort::kVessel, now_);
+    if (!cans.empty() && resolver_.class_of(cans.front())->drink &&
+        std::any_of(now_.facts().begin(), now_.facts().end(), [&](SymFact fact) {
+          return relation_of(fact) == Relation::kState && subject_of(fact) == cans.front() &&
+                 object_of(fact) >= kWater && object_of(fact) <= kSalt;
+        }))
+      return with_the_rest(pour(clause));
+  }
   // "a pillow on each couch": as many as there are couches
   if (destination->all && !thing->pronoun && !thing->plural && thing->count < 2 && !thing->all &&
       vessels.size() > 1)
@@ -227,24 +239,6 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
                                                             : targets);  // "the other couch"
   history_.insert(history_.end() - static_cast<long>(history_.empty() ? 0 : 1), last_destination_);
   return {};
-}
-
-std::string FrameActions::insert(const Clause& clause) {
-  Problem problem;
-  const auto objects = direct(clause, Sort::kMovable, problem);
-  const NounPhrase* destination = clause.first(Role::kDestination);
-  if (!problem.empty()) return problem;
-  if (destination == nullptr) {
-    if (resolver_.is_of_class(objects.front(), "cd") && resolver_.exists(resolver_.xbox())) {
-      for (const Symbol object : objects)
-        if (problem = keep(object, resolver_.xbox(), Where::kIn); !problem.empty()) return problem;
-      return {};
-    }
-    return "it is not clear where to " + clause.verb + " it";
-  }
-  NounPhrase inside = *destination;
-  inside.where = Where::kIn;
-  return put_at(clause, objects, inside);
 }
 
 }  // namespace goalnet::inference

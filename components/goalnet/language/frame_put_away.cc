@@ -1,4 +1,5 @@
-// Putting things where nobody says: away, back, where they belong, on top of each other.
+// Putting things where nobody says: away, back, where they belong, on top of each other, a disc where discs
+// go.
 #include "components/goalnet/language/frame_actions.h"
 #include "components/goalnet/language/symbol_list.h"
 
@@ -96,6 +97,24 @@ bool FrameActions::is_home(Symbol object, Symbol place) const {
   for (const std::string& home : language_.homes(c->name))
     if (place != kNone && resolver_.is_of_class(place, home)) return true;
   return false;
+}
+
+std::string FrameActions::insert(const Clause& clause) {
+  Problem problem;
+  const auto objects = direct(clause, Sort::kMovable, problem);
+  const NounPhrase* destination = clause.first(Role::kDestination);
+  if (!problem.empty()) return problem;
+  if (destination == nullptr) {
+    if (resolver_.is_of_class(objects.front(), "cd") && resolver_.exists(resolver_.xbox())) {
+      for (const Symbol object : objects)
+        if (problem = keep(object, resolver_.xbox(), Where::kIn); !problem.empty()) return problem;
+      return {};
+    }
+    return "it is not clear where to " + clause.verb + " it";
+  }
+  NounPhrase inside = *destination;
+  inside.where = Where::kIn;
+  return put_at(clause, objects, inside);
 }
 
 // Where things of its kind belong, by config/language/english.json; the first such place that is here.

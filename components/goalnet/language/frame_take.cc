@@ -126,7 +126,9 @@ std::string FrameActions::take(const Clause& clause) {
                                                              !thing->everything &&
                                                              clause.first(Role::kDestination) == nullptr) {
     const Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
-    const bool drink = content == kWater || content == kCoffee;
+    const bool canned = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
+    const bool drink = content == kWater || content == kCoffee ||
+                       (canned && !thing->content.empty());  // "a glass of coke", not "a can of coke"
     const bool hot =
         content == kCoffee && (thing->has("hot") || thing->has("warm"));  // "let me have a hot coffee"
     if (drink && (hot || resolver_.options(*thing, Sort::kMovable, now_).empty())) return make(clause);
@@ -149,17 +151,20 @@ std::string FrameActions::take(const Clause& clause) {
   Problem problem;
   const auto objects = direct(located, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
-  for (const Symbol object : objects) {
-    if (now_.holds(object) && (start_.holds(object) || contains(taken_, object))) continue;
-    taken_.push_back(object);
-    if (now_.holds(object)) {  // so far only as a means: "pour it into the glass and hand me the glass"
-      macros_.push_back({Verb::kGrasp, object});
-      steps_.emplace_back();
-      steps_.back().added = {sym_fact(Relation::kGrasping, kRobot, object)};
-      continue;
-    }
-    if (problem = act({Verb::kGrasp, object}); !problem.empty()) return problem;
-  }
+  for (const Symbol object : objects)
+    if (problem = take_up(object); !problem.empty()) return problem;
+  return {};
+}
+
+// Holds it because somebody wants that.
+std::string FrameActions::take_up(Symbol object) {
+  if (now_.holds(object) && (start_.holds(object) || contains(taken_, object))) return {};
+  taken_.push_back(object);
+  if (!now_.holds(object)) return act({Verb::kGrasp, object});
+  // so far only as a means: "pour it into the glass and hand me the glass"
+  macros_.push_back({Verb::kGrasp, object});
+  steps_.emplace_back();
+  steps_.back().added = {sym_fact(Relation::kGrasping, kRobot, object)};
   return {};
 }
 

@@ -109,6 +109,8 @@ std::string FrameActions::clear(const Clause& clause) {
   auto options = place->pronoun ? pronoun(*place, Sort::kPlace, {})
                                 : resolver_.chosen(*place, resolver_.options(*place, Sort::kPlace, now_));
   if (options.empty()) return unknown_thing(*place, Sort::kPlace);
+  if (place->pronoun && place != thing && now_.has(Relation::kIsGraspable, options.front()))
+    return "it is not clear where \"" + place->word + "\" is";  // "the mug is dirty, get it all off"
   const bool stove =
       resolver_.is_of_class(options.front(), "burner") && place->ordinal == 0 && place->number == 0;
   if (stove && !place->pronoun) options = resolver_.options(*place, Sort::kPlace, now_);

@@ -1,4 +1,4 @@
-// Filling, pouring, emptying and washing.
+// Filling and pouring.
 #include <algorithm>
 
 #include "components/goalnet/language/frame_actions.h"
@@ -82,10 +82,25 @@ std::string FrameActions::fill(const Clause& said) {
   if (content == kNone) content = kWater;
   for (const Symbol vessel : vessels) {
     const bool from = !sources.empty() && now_.is(sources.front(), content) && sources.front() != vessel;
-    problem = from ? act({Verb::kPourInto, sources.front(), vessel}) : fill_one(vessel, content);
+    problem = from ? pour_into(sources.front(), vessel, true) : fill_one(vessel, content);
     if (!problem.empty()) return problem;
   }
   return hot && content == kWater ? heat_objects(vessels, true, nullptr) : Problem{};
+}
+
+// Others may hold the same: a source that somebody named must be empty in the end, or the planner may take
+// another.
+std::string FrameActions::pour_into(Symbol source, Symbol vessel, bool named) {
+  std::vector<SymFact> held;
+  for (Symbol content = kWater; content <= kSalt; ++content)
+    if (now_.is(source, content)) held.push_back(sym_fact(Relation::kState, source, content));
+  const Problem problem = act({Verb::kPourInto, source, vessel});
+  if (!problem.empty() || !named || !at_home_) return problem;
+  auto& removed = steps_.back().removed;  // sorted
+  removed.insert(removed.end(), held.begin(), held.end());
+  std::sort(removed.begin(), removed.end());
+  removed.erase(std::unique(removed.begin(), removed.end()), removed.end());
+  return {};
 }
 
 std::string FrameActions::pour(const Clause& clause) {
@@ -93,6 +108,19 @@ std::string FrameActions::pour(const Clause& clause) {
   const NounPhrase* thing = clause.first(Role::kDirect);
   const NounPhrase* destination = clause.first(Role::kDestination);
   const NounPhrase* source_phrase = clause.first(Role::kSource);
+  // "pour the coffee in the long cup into the glass": of two places the first is where it is
+  if (std::count_if(clause.phrases.begin(), clause.phrases.end(),
+                    [](const NounPhrase& phrase) {
+                      return phrase.role == Role::kDestination && !phrase.joined;
+                    }) == 2 &&
+      source_phrase == nullptr && destination->where == Where::kIn) {
+    Clause from = clause;
+    const auto first = std::find_if(from.phrases.begin(), from.phrases.end(), [](const NounPhrase& phrase) {
+      return phrase.role == Role::kDestination;
+    });
+    first->role = Role::kSource;
+    return pour(from);
+  }
   if (thing != nullptr && !thing->pronoun && destination == nullptr && !thing->content.empty())
     return fill(clause);  // "pour me a cup of coffee"
   if (thing != nullptr && thing->everything && !thing->at.empty() && !thing->at.front().pronoun) {
@@ -176,69 +204,11 @@ std::string FrameActions::pour(const Clause& clause) {
   if (targets.empty()) return "a thing cannot be poured into itself";
   if (targets.size() > 1)
     return "what " + resolver_.name(source) + " holds can be poured into one vessel only";
-  problem = act({Verb::kPourInto, source, targets.front()});
+  const bool only_content = source_phrase == nullptr && content != kNone && thing != nullptr &&
+                            thing->content.empty() && thing->at.empty();  // "pour the coffee into the glass"
+  problem = pour_into(source, targets.front(), !only_content);
   remember(targets);
   return problem;
-}
-
-std::string FrameActions::empty(const Clause& clause) {
-  if (mentioned_content(clause, Role::kDirect) != kNone) return pour(clause);
-  const NounPhrase* destination = clause.first(Role::kDestination);
-  if (destination != nullptr && !destination->pronoun && !destination->bare() &&
-      !resolver_.options(*destination, Sort::kVessel, now_).empty())
-    return pour(clause);
-  // "dump the trash bag into the bin": what is no vessel goes there as it is
-  if (const NounPhrase* thing = clause.first(Role::kDirect);
-      destination != nullptr && thing != nullptr && !thing->pronoun && !thing->bare() && !thing->everything &&
-      resolver_.options(*thing, Sort::kVessel, now_).empty() &&
-      !resolver_.options(*thing, Sort::kMovable, now_).empty())
-    return put(clause);
-  // "empty the shelf"
-  if (const NounPhrase* thing = clause.first(Role::kDirect);
-      thing != nullptr && !thing->pronoun && !thing->bare() &&
-      resolver_.options(*thing, Sort::kVessel, now_).empty()) {
-    const auto places = resolver_.options(*thing, Sort::kPlace, now_);
-    if (!places.empty() && resolver_.class_of(places.front())->place &&
-        !now_.has(Relation::kIsGraspable, places.front()))
-      return clear(clause);
-  }
-  if (const NounPhrase* thing = clause.first(Role::kDirect);
-      clause.verb == "dump" && thing != nullptr && !thing->pronoun && !thing->bare() &&
-      resolver_.options(*thing, Sort::kVessel, now_).empty()) {  // "dump the bag of chips"
-    Clause thrown = clause;
-    thrown.frame = Frame::kDiscard, thrown.verb = "discard";
-    return discard(thrown);
-  }
-  Problem problem;
-  const auto vessels = direct(clause, Sort::kVessel, problem);
-  if (!problem.empty()) return problem;
-  for (const Symbol vessel : vessels) {
-    bool anything = false;
-    for (Symbol c = kWater; c <= kEgg; ++c) anything = anything || now_.is(vessel, c);
-    if (anything)
-      if (problem = act({Verb::kPour, vessel}); !problem.empty()) return problem;
-  }
-  return {};
-}
-
-std::string FrameActions::wash(const Clause& clause) {
-  Problem problem;
-  if (const NounPhrase* thing = clause.first(Role::kDirect);
-      clause.verb == "clean" && thing != nullptr && lexicon_place(*thing))
-    return clear(clause);  // "clean up the stove"
-  if (!resolver_.exists(kSink)) return not_here("there is no sink here");
-  const auto objects = direct(clause, Sort::kMovable, problem);
-  if (!problem.empty()) return problem;
-  for (const Symbol object : objects) {
-    const ObjectClass* c = resolver_.class_of(object);
-    if (!resolver_.is_vessel(object) && !c->dish && !c->utensil)
-      return resolver_.name(object) + " should not be washed";
-  }
-  for (const Symbol object : objects)
-    if (problem = keep(object, kSink, Where::kOn); !problem.empty()) return problem;
-  const bool wet =
-      std::all_of(objects.begin(), objects.end(), [&](Symbol object) { return now_.is(object, kWater); });
-  return wet && now_.is(kSinkKnob, kTapIsOn) ? Problem{} : turn_on(kSinkKnob, true, 0);
 }
 
 }  // namespace goalnet::inference

@@ -75,7 +75,8 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
         return clause.mood == Mood::kForbidden &&
                (clause.has("tap") || clause.has("water") || clause.has("faucet"));
       });
-  FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances, closes_tap_ && !may_run);
+  FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances, at_home_);
+  if (may_run) actions.leave_tap_on();
   std::size_t missing = 0;
   for (const Clause& clause : sentence.clauses) {
     if (clause.mood == Mood::kStatement || clause.mood == Mood::kQuestion) {

@@ -28,10 +28,11 @@ struct Understanding {
 
 class FrameReader {
  public:
-  // `closes_tap`: turns off the tap that was only turned on to fill something, as people do.
-  FrameReader(const Lexicon& lexicon, const Language& language, const Symbols& symbols,
-              bool closes_tap = false)
-      : lexicon_(lexicon), language_(language), symbols_(symbols), closes_tap_(closes_tap) {}
+  // `at_home`: what is read will be done by a planner for people, not compared with demonstrations. The tap
+  // that was only turned on to fill something is turned off, and a vessel that is to be poured from must be
+  // empty in the end.
+  FrameReader(const Lexicon& lexicon, const Language& language, const Symbols& symbols, bool at_home = false)
+      : lexicon_(lexicon), language_(language), symbols_(symbols), at_home_(at_home) {}
 
   // Reads the words that the instruction was seen with.
   Understanding read(const Instruction& instruction, const SymState& start) const;
@@ -43,7 +44,7 @@ class FrameReader {
   const Lexicon& lexicon_;
   const Language& language_;
   const Symbols& symbols_;
-  bool closes_tap_;
+  bool at_home_;
 };
 
 }  // namespace goalnet::inference

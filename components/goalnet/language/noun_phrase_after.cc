@@ -11,6 +11,11 @@ using namespace word_group;
 std::size_t NounPhraseReader::of(std::size_t i, std::size_t end, NounPhrase& phrase) const {
   NounPhrase inner;
   const std::size_t done = read(i + 1, end, inner);
+  if (done == i + 1 && language_.holds_things(phrase.phrase) && i + 1 < end &&
+      lexicon_.is_word_of_name(words_.text[i + 1])) {  // "a glass of wine": known of wine glasses only
+    phrase.unknown = true, phrase.word = words_.text[i + 1];
+    return i + 2;
+  }
   if (done == i + 1) return i;
   if (inner.unknown) {  // "a cup of tea"
     phrase.unknown = true, phrase.word = inner.word;

@@ -79,7 +79,9 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   if (reading.understanding.complete) return reading;
   // The likeliest spelling makes no sense: perhaps another one does.
   int tries = 0;
-  for (std::size_t i = 0; i < tokens.size(); ++i)
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    // "a glass of coke" means no glass off the coke
+    if (tokens[i] == "of" && i > 0 && language_->holds_things(singular(tokens[i - 1]))) continue;
     for (const std::string& other : language_->corrections(tokens[i])) {
       if (other == language_->correct(tokens[i])) continue;
       if (++tries > kMostSpellings) return reading;
@@ -92,6 +94,7 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
       reading.words = std::move(words), reading.understanding = std::move(understanding);
       return reading;
     }
+  }
   return reading;
 }
 

@@ -33,7 +33,8 @@ void drop_intensifiers(std::vector<std::string>& text) {
 
 // "the mug and the cups all need to go in the sink"
 void drop_distributive(std::vector<std::string>& text) {
-  static constexpr std::array kBefore = {"need"sv, "needs"sv, "belong"sv, "belongs"sv, "should"sv, "must"sv, "ought"sv};
+  static constexpr std::array kBefore = {"need"sv,   "needs"sv, "belong"sv, "belongs"sv,
+                                         "should"sv, "must"sv,  "ought"sv};
   for (std::size_t i = 1; i + 1 < text.size(); ++i)
     if ((text[i] == "all" || text[i] == "both" || text[i] == "each") && text[i - 1] != "," &&
         text[i - 1] != "." && text[i - 1] != "and" && one_of(text[i + 1], kBefore))
