@@ -158,11 +158,15 @@ std::string FrameActions::put(const Clause& said) {
         }))
       return with_the_rest(pour(clause));
   }
-  // "a pillow on each couch": as many as there are couches
+  // "a pillow on each couch": as many as there are couches; "two pillows on each couch": twice as many
   if (destination->all && !thing->pronoun && !thing->plural && thing->count < 2 && !thing->all &&
-      vessels.size() > 1)
+      vessels.size() > 1) {
     for (NounPhrase& phrase : clause.phrases)
       if (phrase.role == Role::kDirect) phrase.count = static_cast<int>(vessels.size());
+  } else if (destination->all && !thing->pronoun && !thing->all && thing->count > 1 && vessels.size() > 1) {
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kDirect) phrase.count *= static_cast<int>(vessels.size());
+  }
   avoid_ = destination->pronoun || destination->bare() ? Objects{} : vessels;
   Problem problem;
   const auto objects = direct(clause, Sort::kMovable, problem);
