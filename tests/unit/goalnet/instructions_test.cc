@@ -65,7 +65,8 @@ TEST_F(Instructions, SensibleOnesReachTheirGoals) {
     EXPECT_GE(count[1], 0.92 * count[0]) << set;
     EXPECT_LT(count[2], 0.05 * count[0]) << set;
   }
-  EXPECT_GE(counts["held_out"][0], 80);
+  EXPECT_EQ(counts["held_out"][0], 80);
+  EXPECT_EQ(counts["blind"][0], 90);
 }
 
 TEST_F(Instructions, NonsenseIsRefusedWithAReason) {
