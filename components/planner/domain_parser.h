@@ -29,6 +29,9 @@ class DomainParser : public Parser {
   bool constants(const Token& section_word);
   bool predicates(const Token& section_word);
   bool functions(const Token& section_word);
+  // "(name ?x - type)" of a predicate or function, as `kind` says.
+  template <class Schema>
+  bool signature(const std::string& kind, SymbolTable& names, std::vector<Schema>& schemas);
   bool action();
   bool read_effect(Scope& scope, ActionSchema& schema, int depth, bool conditional, Effect* effect);
   bool increase(Scope& scope, ActionSchema& schema, const Token& word, bool conditional);

@@ -95,24 +95,29 @@ bool DomainParser::constants(const Token& section_word) {
   return true;
 }
 
+template <class Schema>
+bool DomainParser::signature(const std::string& kind, SymbolTable& names, std::vector<Schema>& schemas) {
+  const std::string what = "a " + kind, end = "the " + kind;
+  Token name;
+  TypedNames parameters;
+  if (!expect_open(what.c_str()) || !expect_word(what.c_str(), &name) || !check_name(name, what.c_str()) ||
+      !typed_list(domain_, true, "a variable", &parameters) || !expect_close(end.c_str())) {
+    return false;
+  }
+  if (names.find(name.text) != SymbolTable::kNone) {
+    return fail_at(name.offset, kind + " " + quoted(name) + " is declared twice");
+  }
+  if (parameters.size() > TermList::kMost) return fail_at(name.offset, what + " with more than 16 arguments");
+  names.add(name.text);
+  schemas.emplace_back();
+  for (TypedName& p : parameters) schemas.back().parameters.push_back(std::move(p.types));
+  return true;
+}
+
 bool DomainParser::predicates(const Token& section_word) {
   if (!once(&seen_predicates_, section_word)) return false;
   while (!failed() && peek().kind != Token::Kind::kClose) {
-    Token name;
-    TypedNames parameters;
-    if (!expect_open("a predicate") || !expect_word("a predicate", &name) ||
-        !check_name(name, "a predicate") || !typed_list(domain_, true, "a variable", &parameters) ||
-        !expect_close("the predicate")) {
-      return false;
-    }
-    if (domain_.predicates.find(name.text) != SymbolTable::kNone) {
-      return fail_at(name.offset, "predicate " + quoted(name) + " is declared twice");
-    }
-    if (parameters.size() > TermList::kMost)
-      return fail_at(name.offset, "a predicate with more than 16 arguments");
-    domain_.predicates.add(name.text);
-    domain_.predicate_schemas.emplace_back();
-    for (TypedName& p : parameters) domain_.predicate_schemas.back().parameters.push_back(std::move(p.types));
+    if (!signature("predicate", domain_.predicates, domain_.predicate_schemas)) return false;
   }
   return expect_close(":predicates");
 }
@@ -130,20 +135,7 @@ bool DomainParser::functions(const Token& section_word) {
       }
       continue;
     }
-    Token name;
-    TypedNames parameters;
-    if (!expect_open("a function") || !expect_word("a function", &name) || !check_name(name, "a function") ||
-        !typed_list(domain_, true, "a variable", &parameters) || !expect_close("the function")) {
-      return false;
-    }
-    if (domain_.functions.find(name.text) != SymbolTable::kNone) {
-      return fail_at(name.offset, "function " + quoted(name) + " is declared twice");
-    }
-    if (parameters.size() > TermList::kMost)
-      return fail_at(name.offset, "a function with more than 16 arguments");
-    domain_.functions.add(name.text);
-    domain_.function_schemas.emplace_back();
-    for (TypedName& p : parameters) domain_.function_schemas.back().parameters.push_back(std::move(p.types));
+    if (!signature("function", domain_.functions, domain_.function_schemas)) return false;
   }
   return expect_close(":functions");
 }

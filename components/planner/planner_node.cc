@@ -173,7 +173,7 @@ std::stop_token PlannerNode::note_current(const GoalPredicates& message) {
   current_ = key_of(message);
   instruction_ = message.instruction_id();
   const bool cancelled = std::find(cancelled_.begin(), cancelled_.end(), instruction_) != cancelled_.end();
-  if ((instruction_ != 0 && cancelled) || (newest_ != GoalKey{} && newest_ != current_)) stop_.request_stop();
+  if ((instruction_ != 0 && cancelled) || newest_ != current_) stop_.request_stop();
   return stop_.get_token();
 }
 
@@ -192,7 +192,7 @@ void PlannerNode::finish(const Search& search) {
   }
   {
     const std::lock_guard lock(stop_mutex_);
-    const bool superseded = newest_ != GoalKey{} && newest_ != key_of(message);
+    const bool superseded = newest_ != key_of(message);
     if (superseded && !search.plan && search.plan.error().outcome == Outcome::kCancelled) {
       const auto [instruction, step, sec, nanosec] = newest_;
       if (instruction == message.instruction_id() && step == message.step()) return;

@@ -18,6 +18,7 @@
 #include "components/ros/action_server.h"
 #include "example_interfaces/action/Fibonacci_action.h"
 #include "example_interfaces/srv/AddTwoInts_service.h"
+#include "tests/interoperability/goal_id_text.h"
 
 using namespace goalnet::ros;
 using example_interfaces::action::Fibonacci;
@@ -36,16 +37,6 @@ class ExecutionLog {
  private:
   int file_;
 };
-
-std::string to_hex(const GoalId& id) {
-  std::string text;
-  for (const std::uint8_t byte : id) {
-    char digits[3];
-    std::snprintf(digits, sizeof digits, "%02x", byte);
-    text += digits;
-  }
-  return text;
-}
 
 void serve(Node& node, const char* path) {
   ExecutionLog log(path);

@@ -12,6 +12,7 @@
 #include "components/ros/service.h"
 #include "example_interfaces/action/Fibonacci_action.h"
 #include "example_interfaces/srv/AddTwoInts_service.h"
+#include "tests/interoperability/goal_id_text.h"
 #include "tests/support/process.h"
 #include "tests/unit/ros/support.h"
 
@@ -24,16 +25,6 @@ using example_interfaces::srv::AddTwoInts;
 using testing_support::Process;
 
 const int kDomain = test_domain(128);
-
-std::string to_hex(const GoalId& id) {
-  std::string text;
-  for (const std::uint8_t byte : id) {
-    char digits[3];
-    std::snprintf(digits, sizeof digits, "%02x", byte);
-    text += digits;
-  }
-  return text;
-}
 
 struct TwoProcesses : testing::Test {
   std::string log =

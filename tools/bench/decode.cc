@@ -1,6 +1,5 @@
 #include "tools/bench/decode.h"
 
-#include <time.h>
 #include <chrono>
 #include <memory>
 #include <stdexcept>
@@ -9,28 +8,23 @@
 #include "components/goalnet/demonstration.h"
 #include "components/goalnet/goal_model.h"
 #include "components/goalnet/lexicon.h"
+#include "tools/bench/cpu_clock.h"
 
 namespace goalnet::tools {
 namespace {
 
 using namespace goalnet::inference;
 
-// Of this thread: on a busy machine the clock on the wall counts the others too.
-double cpu_milliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
-}
-
 // Both clocks of one decoding after the other.
 struct Times {
   std::vector<double> wall, cpu;
+  CpuClock clock;
 
   void measure(GoalModel& model, const StepInput& input) {
     const auto begin = std::chrono::steady_clock::now();
-    const double cpu_begin = cpu_milliseconds();
+    const double cpu_begin = clock.microseconds();
     const auto goal = model.infer(input);
-    cpu.push_back(cpu_milliseconds() - cpu_begin);
+    cpu.push_back((clock.microseconds() - cpu_begin) / 1e3);
     wall.push_back(
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
     if (!goal) throw std::runtime_error(goal.error().message);

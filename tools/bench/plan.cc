@@ -20,6 +20,7 @@
 #include "components/planner/planner.h"
 #include "components/planner/validator.h"
 #include "components/planner/world.h"
+#include "tools/bench/cpu_clock.h"
 #include "tools/bench/plan_problems.h"
 #include "tools/goalnet/command.h"
 
@@ -39,15 +40,10 @@ planner::Domain load(const std::string& path) {
   return std::move(*domain);
 }
 
-double cpu_microseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) / 1e3;
-}
-
-// Every question solved `repetitions` times by one planner; the time of each is its best, so that what is reported is
-// the planner and not what else the machine does. The problem is made before the clock starts. CPU time, which includes
-// about a quarter of a microsecond of reading that clock, tells the long ones apart from a busy machine.
+// Every question solved `repetitions` times by one planner; the time of each is its best, so that what is
+// reported is the planner and not what else the machine does. The problem is made before the clock starts.
+// CPU time, which includes about a quarter of a microsecond of reading that clock, tells the long ones apart
+// from a busy machine.
 class Measurement {
  public:
   Measurement(const planner::Domain& domain, int repetitions)
@@ -61,11 +57,11 @@ class Measurement {
     double best = 1e300, best_cpu = 1e300, best_with_facts = 1e300;
     Expected<planner::Plan> plan = planner::Plan{};
     for (int i = 0; i < repetitions_; ++i) {
-      const double cpu_start = cpu_microseconds();
+      const double cpu_start = cpu_clock_.microseconds();
       auto start = Clock::now();
       plan = planner_.solve(*problem, options);
       best = std::min(best, microseconds_since(start));
-      best_cpu = std::min(best_cpu, cpu_microseconds() - cpu_start);
+      best_cpu = std::min(best_cpu, cpu_clock_.microseconds() - cpu_start);
       if (best > 1e5) break;  // slow ones need no repetition
       start = Clock::now();
       (void)planner_.solve(question.state, question.goal, options);
@@ -99,6 +95,7 @@ class Measurement {
  private:
   const planner::Domain& domain_;
   planner::Planner planner_;
+  const CpuClock cpu_clock_;  // of the thread that makes and uses this
   int repetitions_;
   std::vector<double> times_, cpu_, with_facts_;
   int optimal_ = 0, without_plan_ = 0, timed_out_ = 0;
@@ -108,9 +105,9 @@ class Measurement {
 json measure_scaling(const planner::Domain& domain, int repetitions) {
   json result = json::array();
   const std::vector<PlanQuestion> questions = {
-      carry_question(1, 60),   carry_question(4, 60),    carry_question(10, 60), carry_question(10, 200),
-      carry_question(10, 1000), carry_question(13, 1000), fridge_question(12),    water_question(4),
-      heat_question(4)};
+      carry_question(1, 60),   carry_question(4, 60),    carry_question(10, 60),
+      carry_question(10, 200), carry_question(10, 1000), carry_question(13, 1000),
+      fridge_question(12),     water_question(4),        heat_question(4)};
   for (const PlanQuestion& question : questions) {
     planner::Planner planner(domain);
     auto problem = planner::make_problem(domain, question.state, question.goal);
@@ -124,7 +121,8 @@ json measure_scaling(const planner::Domain& domain, int repetitions) {
       if (best > 1e5) break;
     }
     if (!plan) throw std::runtime_error(question.name + ": " + plan.error().message);
-    if (!planner::validate(*problem, plan->actions)) throw std::runtime_error(question.name + ": invalid plan");
+    if (!planner::validate(*problem, plan->actions))
+      throw std::runtime_error(question.name + ": invalid plan");
     result.push_back({{"problem", question.name},
                       {"actions", plan->actions.size()},
                       {"time_us", best},
@@ -169,7 +167,8 @@ json measure_process(int repetitions) {
   const int file = mkstemp(name);
   if (file < 0 || access(program.c_str(), X_OK) != 0) return "not measured: " + program + " is not here";
   const std::string text =
-      "(define (problem mug) (:domain goalnet-household) (:init (IsGraspable Mug_1) (IsGraspable Kettle) (On Mug_1 "
+      "(define (problem mug) (:domain goalnet-household) (:init (IsGraspable Mug_1) (IsGraspable Kettle) (On "
+      "Mug_1 "
       "Counter_1) (On Kettle Counter_1) (HandsHold Zero) (TrayHolds Zero)) (:goal (On Mug_1 Sink)))";
   const bool written = write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   close(file);
@@ -177,7 +176,8 @@ json measure_process(int repetitions) {
   bool failed = !written;
   for (int i = 0; i < 20 * repetitions && !failed; ++i) {
     std::string arguments[] = {"goalnet", "plan", domain, name};
-    char* argv[] = {arguments[0].data(), arguments[1].data(), arguments[2].data(), arguments[3].data(), nullptr};
+    char* argv[] = {arguments[0].data(), arguments[1].data(), arguments[2].data(), arguments[3].data(),
+                    nullptr};
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
@@ -188,7 +188,9 @@ json measure_process(int repetitions) {
     failed = posix_spawn(&child, program.c_str(), &actions, nullptr, argv, environ) != 0 ||
              wait4(child, &status, 0, &usage) != child || status != 0;
     best = std::min(best, microseconds_since(start));
-    const auto cpu_of = [](const timeval& time) { return static_cast<double>(time.tv_sec) * 1e6 + static_cast<double>(time.tv_usec); };
+    const auto cpu_of = [](const timeval& time) {
+      return static_cast<double>(time.tv_sec) * 1e6 + static_cast<double>(time.tv_usec);
+    };
     best_cpu = std::min(best_cpu, cpu_of(usage.ru_utime) + cpu_of(usage.ru_stime));
     posix_spawn_file_actions_destroy(&actions);
   }
@@ -197,14 +199,16 @@ json measure_process(int repetitions) {
   return {{"best_us", best}, {"best_cpu_us", best_cpu}};
 }
 
-// From asking a search to stop until it has, at random moments of large problems: grounding, first estimates, optimal and
-// other searches. CPU time counts the searching thread only, whatever else the machine does.
+// From asking a search to stop until it has, at random moments of large problems: grounding, first estimates,
+// optimal and other searches. CPU time counts the searching thread only, whatever else the machine does.
 json measure_cancelling(const planner::Domain& domain, const BenchOptions& options) {
   std::vector<double> wall, cpu;
   std::mt19937_64 random(options.seed);
   PlanQuestion crowd = carry_question(3000, 3100);
-  for (int i = 0; i < 40; ++i) crowd.goal.positive.push_back({"state", "Cup_" + std::to_string(i + 1), "Water"});
-  const std::vector<PlanQuestion> questions = {heat_question(12), water_question(30), crowd, carry_question(500, 1000)};
+  for (int i = 0; i < 40; ++i)
+    crowd.goal.positive.push_back({"state", "Cup_" + std::to_string(i + 1), "Water"});
+  const std::vector<PlanQuestion> questions = {heat_question(12), water_question(30), crowd,
+                                               carry_question(500, 1000)};
   const int points = options.quick ? 5 : 60;
   for (const PlanQuestion& question : questions) {
     const auto problem = planner::make_problem(domain, question.state, question.goal);
@@ -216,24 +220,18 @@ json measure_cancelling(const planner::Domain& domain, const BenchOptions& optio
       planner::SolveOptions solve;
       std::stop_source source;
       solve.stop = source.get_token();
-      clockid_t clock{};
-      pthread_getcpuclockid(pthread_self(), &clock);
-      const auto used = [clock] {
-        timespec now{};
-        clock_gettime(clock, &now);
-        return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) / 1e3;
-      };
+      const CpuClock clock;
       Clock::time_point asked;
       double used_before = 0.0;
       std::jthread canceller([&] {
         std::this_thread::sleep_for(std::chrono::duration<double, std::micro>(delay));
-        used_before = used();
+        used_before = clock.microseconds();
         asked = Clock::now();
         source.request_stop();
       });
       const auto plan = planner.solve(*problem, solve);
       const auto answered = Clock::now();
-      const double used_after = used();
+      const double used_after = clock.microseconds();
       canceller.join();
       if (plan || plan.error().outcome != Outcome::kCancelled) continue;  // it was done before
       wall.push_back(std::chrono::duration<double, std::micro>(answered - asked).count());
@@ -269,7 +267,8 @@ json bench_plan(const BenchOptions& options) {
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  result["peak_memory_mb"] = static_cast<double>(usage.ru_maxrss) / 1024.0;  // of the above, with all libraries of goalnet-robot
+  result["peak_memory_mb"] =
+      static_cast<double>(usage.ru_maxrss) / 1024.0;  // of the above, with all libraries of goalnet-robot
   result["process"] = measure_process(repetitions);
   result["cancel"] = measure_cancelling(domain, options);
   return result;

@@ -1,13 +1,12 @@
 #include "tools/goalnet/cross_validate.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "components/goalnet/ranker/cross_validation.h"
+#include "tools/goalnet/progress_line.h"
 
 namespace goalnet::tools {
 namespace {
@@ -46,30 +45,6 @@ Summary summarize(const std::vector<FoldScores>& folds, double Scores::*score) {
   if (n > 1) summary.deviation = std::sqrt(std::max(0.0, (squares - sum * sum / n) / (n - 1)));
   return summary;
 }
-
-// A line that rewrites itself on a terminal; else a line every half minute.
-class Progress {
- public:
-  void show(double done) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - shown_ < (terminal_ ? std::chrono::milliseconds(500) : std::chrono::seconds(30))) return;
-    shown_ = now;
-    const double spent = std::chrono::duration<double>(now - begin_).count();
-    const int left = done > 0 ? static_cast<int>(spent / done * (1 - done)) : 0;
-    std::fprintf(stderr, "%s%3d %%  %d:%02d left%s", terminal_ ? "\r" : "", static_cast<int>(done * 100),
-                 left / 60, left % 60, terminal_ ? "\x1b[K" : "\n");
-  }
-  void finish() const {
-    if (terminal_) std::fputc('\n', stderr);
-  }
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), shown_ = begin_;
-};
 
 void print(const CrossValidateRequest& request, const std::vector<FoldScores>& folds, double seconds) {
   std::size_t count = 0;
@@ -124,7 +99,7 @@ int cross_validate(const CrossValidateRequest& request) {
   options.grounding = request.grounding == "given";
   options.threads = request.threads;
   options.training.language = *language;
-  Progress progress;
+  ProgressLine progress(std::chrono::seconds(30));
   if (!request.json) options.progress = [&](double done) { progress.show(done); };
   const auto scores = inference::cross_validate(*demonstrations, *folds, options);
   if (!scores) return report(scores.error());

@@ -1,50 +1,15 @@
 #include "tools/goalnet/train_command.h"
 
-#include <chrono>
 #include <cstdio>
 
-#include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tools/goalnet/progress_line.h"
 #include "tools/goalnet/train_kinds.h"
 
 namespace goalnet::tools {
 namespace {
-
-// One line that rewrites itself on a terminal; on a pipe, a line every ten seconds.
-class ProgressLine {
- public:
-  void show(double done, const std::string& measured) {
-    const auto now = std::chrono::steady_clock::now();
-    if (done < 1 && now - shown_ < (terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(10)))
-      return;
-    shown_ = now;
-    if (first_share_ < 0) first_share_ = done;
-    const double spent = std::chrono::duration<double>(now - begin_).count();
-    const double gained = done - first_share_;  // after a resume the first report starts far from 0
-    std::string left = "--:--";
-    if (gained > 0) {
-      const int seconds = static_cast<int>(spent / gained * (1 - done));
-      left =
-          std::to_string(seconds / 60) + ":" + (seconds % 60 < 10 ? "0" : "") + std::to_string(seconds % 60);
-    }
-    std::fprintf(stderr, "%s%3d %%  %s left  %s%s", terminal_ ? "\r" : "", static_cast<int>(done * 100),
-                 left.c_str(), measured.c_str(), terminal_ ? "\x1b[K" : "\n");
-    std::fflush(stderr);
-  }
-  void finish() const {
-    if (terminal_) std::fputc('\n', stderr);
-  }
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-  double first_share_ = -1;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), shown_{};
-};
 
 std::string typed(int argc, char** argv) {
   std::string text;

@@ -42,20 +42,20 @@ std::vector<std::string> split_words(const std::string& text) {
 
 // Words with a part in the grammar itself.
 constexpr std::array kGrammarWords = {
-    "on"sv,       "off"sv,     "up"sv,         "down"sv,      "out"sv,      "away"sv,  "over"sv,
-    "in"sv,       "back"sv,    "into"sv,       "onto"sv,      "inside"sv,   "from"sv,  "with"sv,
-    "under"sv,    "beside"sv,  "near"sv,       "it"sv,        "them"sv,     "this"sv,  "that"sv,
-    "these"sv,    "those"sv,   "me"sv,         "us"sv,        "all"sv,      "both"sv,  "each"sv,
-    "every"sv,    "one"sv,     "and"sv,        "then"sv,      "or"sv,       "not"sv,   "never"sv,
-    "without"sv,  "before"sv,  "after"sv,      "until"sv,     "while"sv,    "if"sv,    "unless"sv,
-    "because"sv,  "except"sv,  "everything"sv, "something"sv, "anything"sv, "rest"sv,  "other"sv,
-    "is"sv,       "are"sv,     "was"sv,        "should"sv,    "must"sv,     "need"sv,  "want"sv,
-    "please"sv,   "the"sv,     "wish"sv,       "use"sv,       "using"sv,    "let"sv,   "forgot"sv,
-    "somebody"sv, "someone"sv, "nobody"sv,     "everybody"sv, "everyone"sv, "he"sv,    "she"sv,
-    "whatever"sv, "better"sv,  "inside"sv,     "ensure"sv,    "there"sv,    "here"sv,  "ones"sv,
-    "through"sv,  "around"sv,  "upon"sv,       "towards"sv,   "toward"sv,   "below"sv, "behind"sv,
-    "against"sv,  "to"sv,      "at"sv,         "by"sv,        "of"sv,       "for"sv,   "you"sv,
-    "i"sv,        "we"sv,      "your"sv,       "my"sv};
+    "on"sv,       "off"sv,     "up"sv,         "down"sv,      "out"sv,      "away"sv,   "over"sv,
+    "in"sv,       "back"sv,    "into"sv,       "onto"sv,      "inside"sv,   "from"sv,   "with"sv,
+    "under"sv,    "beside"sv,  "near"sv,       "it"sv,        "them"sv,     "this"sv,   "that"sv,
+    "these"sv,    "those"sv,   "me"sv,         "us"sv,        "all"sv,      "both"sv,   "each"sv,
+    "every"sv,    "one"sv,     "and"sv,        "then"sv,      "or"sv,       "not"sv,    "never"sv,
+    "without"sv,  "before"sv,  "after"sv,      "until"sv,     "while"sv,    "if"sv,     "unless"sv,
+    "because"sv,  "except"sv,  "everything"sv, "something"sv, "anything"sv, "rest"sv,   "other"sv,
+    "is"sv,       "are"sv,     "was"sv,        "should"sv,    "must"sv,     "need"sv,   "want"sv,
+    "please"sv,   "the"sv,     "wish"sv,       "use"sv,       "using"sv,    "let"sv,    "forgot"sv,
+    "somebody"sv, "someone"sv, "nobody"sv,     "everybody"sv, "everyone"sv, "he"sv,     "she"sv,
+    "whatever"sv, "better"sv,  "ensure"sv,     "there"sv,     "here"sv,     "ones"sv,   "through"sv,
+    "around"sv,   "upon"sv,    "towards"sv,    "toward"sv,    "below"sv,    "behind"sv, "against"sv,
+    "to"sv,       "at"sv,      "by"sv,         "of"sv,        "for"sv,      "you"sv,    "i"sv,
+    "we"sv,       "your"sv,    "my"sv};
 
 }  // namespace
 

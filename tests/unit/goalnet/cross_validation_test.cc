@@ -9,6 +9,7 @@
 
 #include "components/goalnet/random.h"
 #include "components/goalnet/ranker/confidence.h"
+#include "tests/unit/goalnet/played.h"
 
 namespace goalnet::inference {
 namespace {
@@ -38,11 +39,7 @@ std::vector<Demonstration> people() {
       facts.push_back({"IsGraspable", name, ""}), facts.push_back({"On", name, "Counter_1"});
     d.states.push_back({{"Counter_1", "Kettle", "Mug_1", "Plate_1", "Robot"}, FactSet(facts)});
     d.actions = {std::string("moveto ") + object, std::string("grasp ") + object};
-    SymState state = to_sym_state(d.states[0].facts, symbols);
-    for (const std::string& text : d.actions) {
-      apply(*parse_action(text, symbols), state);
-      d.states.push_back({d.states[0].objects, to_fact_set(state, symbols)});
-    }
+    play_actions(d, symbols);
     all.push_back(d);
   }
   return all;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "components/goalnet/ranker/train.h"
+#include "tests/unit/goalnet/played.h"
 
 namespace goalnet::inference {
 namespace {
@@ -42,11 +43,7 @@ std::vector<Demonstration> people() {
                         FactSet(facts)});
     d.actions = {"moveto " + object, "grasp " + object};
     if (put) d.actions.insert(d.actions.end(), {"moveto Sink", "keep " + object + " On Sink"});
-    SymState state = to_sym_state(d.states[0].facts, symbols);
-    for (const std::string& text : d.actions) {
-      apply(*parse_action(text, symbols), state);
-      d.states.push_back({d.states[0].objects, to_fact_set(state, symbols)});
-    }
+    play_actions(d, symbols);
     all.push_back(d);
   }
   return all;

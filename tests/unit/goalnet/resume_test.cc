@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "components/goalnet/ranker/train.h"
+#include "tests/unit/goalnet/played.h"
 
 namespace goalnet::inference {
 namespace {
@@ -35,11 +36,7 @@ std::vector<Demonstration> people() {
                                  {"On", "Mug_1", "Counter_1"}})});
     const std::string object = mug ? "Mug_1" : "Kettle";
     d.actions = {"moveto " + object, "grasp " + object};
-    SymState state = to_sym_state(d.states[0].facts, symbols);
-    for (const std::string& text : d.actions) {
-      apply(*parse_action(text, symbols), state);
-      d.states.push_back({d.states[0].objects, to_fact_set(state, symbols)});
-    }
+    play_actions(d, symbols);
     all.push_back(d);
   }
   return all;

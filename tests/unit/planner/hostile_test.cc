@@ -2,11 +2,9 @@
 // at any moment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -16,6 +14,7 @@
 #include "components/planner/planner.h"
 #include "components/planner/validator.h"
 #include "components/planner/world.h"
+#include "tools/bench/cpu_clock.h"
 
 namespace goalnet::planner {
 namespace {
@@ -222,22 +221,16 @@ TEST(Hostile, ChainsOfDefinitionsAndTooManyOfThem) {
 // where it was done before.
 template <class Work>
 double time_to_stop(std::chrono::duration<double, std::micro> delay, const Work& work) {
-  clockid_t clock{};
-  EXPECT_EQ(pthread_getcpuclockid(pthread_self(), &clock), 0);
-  const auto used_us = [clock] {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) / 1e3;
-  };
+  const tools::CpuClock clock;
   std::stop_source source;
   double asked = 0.0;
   std::thread canceller([&] {
     std::this_thread::sleep_for(delay);
-    asked = used_us();
+    asked = clock.microseconds();
     source.request_stop();
   });
   const bool cancelled = work(source.get_token());
-  const double answered = used_us();
+  const double answered = clock.microseconds();
   canceller.join();
   return cancelled ? answered - asked : -1.0;
 }

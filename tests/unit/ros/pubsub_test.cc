@@ -167,6 +167,28 @@ TEST(PubSub, ImmediateCallbacksComeInTheWritersThread) {
   EXPECT_EQ(where, std::this_thread::get_id());
 }
 
+TEST(PubSub, AnArrivalIsToldAtOnceAndBeforeItsTurnInTheLoop) {
+  auto context = make_context(kPubSubDomain);
+  EventLoop loop;
+  Node node(*context, loop, plain("node"));
+  std::vector<int> arrived, handled;
+  auto out = node.advertise<Int32>("/goal", Qos::standard());
+  auto in = node.subscribe<Int32>(
+      "/goal", Qos::standard(),
+      [&](const Int32& message) {
+        handled.push_back(message.data());
+        EXPECT_EQ(arrived, (std::vector<int>{1, 2}));
+      },
+      {}, [&](const Int32& message) { arrived.push_back(message.data()); });
+  out->publish(number(1));
+  out->publish(number(2));
+  EXPECT_EQ(arrived, (std::vector<int>{1, 2}));
+  EXPECT_TRUE(handled.empty());
+  while (loop.run_pending()) {
+  }
+  EXPECT_EQ(handled, (std::vector<int>{1, 2}));
+}
+
 TEST(PubSub, DestroyedSubscriptionsAreSilent) {
   auto context = make_context(kPubSubDomain);
   EventLoop loop;
