@@ -17,6 +17,7 @@ struct FieldDescription {
   std::uint32_t capacity;         // array size or bound of a sequence, else 0
   std::uint32_t string_capacity;  // bound of a string, else 0
   const char* nested;             // "pkg/msg/Type", else ""
+  const char* default_value;      // as ROS 2 writes it ("1.0", "True"), "" where the file gives none
 };
 
 inline constexpr std::uint8_t kNested = 1;

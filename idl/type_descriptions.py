@@ -19,6 +19,7 @@ class Field:
     capacity: int = 0
     string_capacity: int = 0
     nested: str = ""
+    default: str = ""  # not part of the hash
 
 
 @dataclasses.dataclass
@@ -29,6 +30,13 @@ class Type:
     encoding: str = ""  # msg, srv, action; implicit where no file has it
     is_data: bool = True  # false for services and actions as a whole: nothing of that type is ever sent
     hash: str = ""
+
+
+def default_text(value):
+    """A default value as rosidl's type descriptions have it."""
+    if value is None:
+        return ""
+    return f"({', '.join(str(element) for element in value)})" if isinstance(value, list) else str(value)
 
 
 def parsed_field(field):
@@ -43,7 +51,8 @@ def parsed_field(field):
     if kind.is_array:
         type_id += ARRAY if kind.is_fixed_size_array() else BOUNDED_SEQUENCE if kind.is_upper_bound else SEQUENCE
         capacity = kind.array_size or 0
-    return Field(field.name, type_id, capacity, kind.string_upper_bound or 0, nested)
+    return Field(field.name, type_id, capacity, kind.string_upper_bound or 0, nested,
+                 default_text(field.default_value))
 
 
 def structure(name, spec, source, encoding):
@@ -145,7 +154,8 @@ def table(types):
     rows = []
     for index, (name, kind) in enumerate(sorted(types.items())):
         out.append(f"const FieldDescription kFields{index}[] = {{")
-        out += [f'    {{"{f.name}", {f.type_id}, {f.capacity}, {f.string_capacity}, "{f.nested}"}},' for f in kind.fields]
+        out += [f'    {{"{f.name}", {f.type_id}, {f.capacity}, {f.string_capacity}, "{f.nested}", {json.dumps(f.default)}}},'
+                for f in kind.fields]
         out.append("};")
         refs = ", ".join(f'"{n}"' for n in referenced(types, kind))
         out.append(f"const char* const kReferenced{index}[] = {{{refs + ', ' if refs else ''}nullptr}};")

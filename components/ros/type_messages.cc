@@ -15,6 +15,7 @@ msg::IndividualTypeDescription individual(const idl::TypeDescription& type) {
     one.type().capacity(field.capacity);
     one.type().string_capacity(field.string_capacity);
     one.type().nested_type_name(field.nested);
+    one.default_value(field.default_value);
     out.fields().push_back(one);
   }
   return out;

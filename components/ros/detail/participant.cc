@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "components/ros/detail/held_reception.h"
 #include "components/ros/detail/message_type.h"
 #include "components/ros/names.h"
 
@@ -104,8 +105,11 @@ dds::DomainParticipantQos participant_qos(const ParticipantSettings& settings) {
 
 Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSettings& settings) {
   std::shared_ptr<Participant> self(new Participant(settings));
+  dds::DomainParticipantQos qos = participant_qos(settings);
+  const auto reception = hold_reception(qos);
   self->participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
-      settings.domain_id, participant_qos(settings), &self->listener_, dds::StatusMask::none());
+      settings.domain_id, qos, &self->listener_, dds::StatusMask::none());
+  reception->open();
   if (self->participant_ == nullptr) {
     return fail(Outcome::kInternal, "Fast DDS cannot make a participant on domain " +
                                         std::to_string(settings.domain_id) +
@@ -233,9 +237,9 @@ void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipa
   }
   const auto& user_data = info.info.m_qos.m_userData;
   participant.check_type_hash(info.info.typeName().to_string(), user_data);
-  participant.written_.note(topic, writer,
-                            {info.info.typeName().to_string(), type_hash_of(user_data),
-                             offered_qos(info.info.m_qos)});
+  participant.written_.note(
+      topic, writer,
+      {info.info.typeName().to_string(), type_hash_of(user_data), offered_qos(info.info.m_qos)});
 }
 
 void Participant::DiscoveryListener::on_subscriber_discovery(dds::DomainParticipant*,

@@ -140,6 +140,24 @@ TEST(TypeHash, FollowsFromWhatGetTypeDescriptionAnswers) {
   EXPECT_GE(compared, 151);
 }
 
+// Jazzy's generated descriptions hold default values as Python prints them.
+TEST(TypeDescriptions, CarryDefaultValues) {
+  const auto default_of = [](const char* name, const std::string& field) -> std::string {
+    const auto described = to_message(*idl::find_type(name));
+    for (const auto& one : described.type_description().fields()) {
+      if (one.name() == field) return one.default_value();
+    }
+    return "no such field";
+  };
+  EXPECT_EQ(default_of("geometry_msgs/msg/Quaternion", "x"), "0.0");
+  EXPECT_EQ(default_of("geometry_msgs/msg/Quaternion", "w"), "1.0");
+  EXPECT_EQ(default_of("rcl_interfaces/msg/ParameterDescriptor", "read_only"), "False");
+  EXPECT_EQ(default_of("type_description_interfaces/srv/GetTypeDescription_Request", "include_type_sources"),
+            "True");
+  EXPECT_EQ(default_of("type_description_interfaces/msg/FieldType", "type_id"), "0");
+  EXPECT_EQ(default_of("std_msgs/msg/String", "data"), "");
+}
+
 TEST_F(Reference, CdrEqualsThatOfBothDistributions) {
   for (const char* file : {"cdr_vectors_humble_fastrtps.json", "cdr_vectors_jazzy_cyclonedds.json"}) {
     int compared = 0;

@@ -25,14 +25,14 @@ double now() {
 }  // namespace
 
 struct LifeSigns::Impl {
-  // Processes may be on DDS domains of their own.
+  // Processes may be on DDS domains of their own, and speak as another distribution does.
   struct Domain {
     std::unique_ptr<ros::Context> context;
     std::unique_ptr<ros::Node> node;
   };
   ros::EventLoop loop;
-  ros::Clock wall;  // simulated time may stand still
-  std::map<std::string, Domain> domains;
+  ros::Clock wall;                                                // simulated time may stand still
+  std::map<std::pair<std::string, std::string>, Domain> domains;  // by ROS_DOMAIN_ID and GOALNET_ROS_DISTRO
   std::map<std::string, std::unique_ptr<ros::Client<GetState>>> clients;  // by full name of the node
   std::shared_ptr<ros::Timer> timer;
   mutable std::mutex mutex;
@@ -40,11 +40,21 @@ struct LifeSigns::Impl {
   std::jthread thread;
 
   Expected<ros::Node*> node_on(const LaunchedProcess& process) {
-    const auto own = process.environment.find("ROS_DOMAIN_ID");
-    const std::string id = own == process.environment.end() ? "" : own->second;
-    Domain& domain = domains[id];
+    const auto own = [&](const char* name) -> std::string {
+      const auto found = process.environment.find(name);
+      return found == process.environment.end() ? "" : found->second;
+    };
+    const std::string id = own("ROS_DOMAIN_ID"), distro = own("GOALNET_ROS_DISTRO");
+    Domain& domain = domains[{id, distro}];
     if (domain.node) return domain.node.get();
     ros::ContextOptions options;
+    if (!distro.empty()) {
+      auto parsed = ros::parse_distro(distro);
+      if (!parsed)
+        return fail(Outcome::kInvalidRequest,
+                    "GOALNET_ROS_DISTRO of process " + process.name + ": " + parsed.error().message);
+      options.distro = *parsed;
+    }
     if (int number = 0; std::from_chars(id.data(), id.data() + id.size(), number).ec == std::errc{})
       options.domain_id = number;
     auto context = ros::Context::create(options);

@@ -1,0 +1,125 @@
+#include "components/ros/detail/announcements.h"
+
+#include <algorithm>
+
+namespace goalnet::ros::detail {
+namespace {
+
+constexpr std::size_t kMostParticipants =
+    2000;  // then all are forgotten: what strangers can make us remember
+constexpr std::size_t kMostAddresses = 4;
+constexpr int kMostAnswers = 5;  // to one participant
+constexpr int kMostAnswersPerSecond = 100;
+constexpr auto kYouth = std::chrono::seconds(3);
+constexpr auto kPause = std::chrono::milliseconds(40);  // between two answers to one participant
+
+// RTPS 2.3: header, submessages, parameters.
+constexpr std::size_t kHeader = 20, kVendor = 6, kPrefix = 8;
+constexpr std::uint8_t kEProsima[] = {0x01, 0x0f};
+constexpr std::uint8_t kDataSubmessage = 0x15;
+constexpr std::uint8_t kLittleEndian = 0x01, kInlineQos = 0x02, kHasData = 0x04;
+constexpr std::size_t kDataHead = 20;  // flags, offset, reader, writer, sequence number
+constexpr std::size_t kWriterId = 8;
+constexpr std::uint8_t kAnnouncer[] = {0x00, 0x01, 0x00, 0xc2};
+constexpr std::uint16_t kEndOfParameters = 1, kMetatrafficUnicastLocator = 0x32;
+constexpr std::size_t kLocator = 24;  // kind, port, 16 bytes of address of which IPv4 uses the last four
+constexpr std::uint32_t kUdpV4 = 1;
+
+struct Reader {
+  std::span<const std::uint8_t> bytes;
+  bool little;
+  std::uint32_t number(std::size_t at, std::size_t size) const {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < size; ++i) value = value << 8 | bytes[little ? at + size - 1 - i : at + i];
+    return value;
+  }
+};
+
+// What follows a list of parameters; nothing if it does not end.
+std::span<const std::uint8_t> after_parameters(std::span<const std::uint8_t> bytes, bool little) {
+  const Reader reader{bytes, little};
+  for (std::size_t at = 0; at + 4 <= bytes.size();) {
+    const std::uint32_t id = reader.number(at, 2);
+    const std::size_t length = reader.number(at + 2, 2);
+    at += 4;
+    if (id == kEndOfParameters) return bytes.subspan(at);
+    if (length > bytes.size() - at) break;
+    at += length;
+  }
+  return {};
+}
+
+// The payload of the announcing sample: it stands first in the message, or after a timestamp. Farewells have
+// a key instead of data.
+std::span<const std::uint8_t> announcing_payload(std::span<const std::uint8_t> message) {
+  std::size_t at = kHeader;
+  for (int i = 0; i < 3 && message.size() >= at + 4; ++i) {
+    const std::uint8_t flags = message[at + 1];
+    const bool little = (flags & kLittleEndian) != 0;
+    const std::size_t length = Reader{message, little}.number(at + 2, 2);
+    const auto body = message.subspan(at + 4, std::min(length, message.size() - at - 4));
+    if (message[at] == kDataSubmessage) {
+      const bool ours = body.size() > kDataHead && (flags & kHasData) != 0 &&
+                        std::equal(std::begin(kAnnouncer), std::end(kAnnouncer), body.begin() + kWriterId);
+      if (!ours) return {};
+      const auto rest = body.subspan(kDataHead);
+      return (flags & kInlineQos) != 0 ? after_parameters(rest, little) : rest;
+    }
+    at += 4 + length;
+  }
+  return {};
+}
+
+std::vector<UdpAddress> addresses_in(std::span<const std::uint8_t> payload) {
+  std::vector<UdpAddress> found;
+  if (payload.size() < 4) return found;
+  const Reader reader{payload, payload[1] == 3};  // PL_CDR_LE
+  for (std::size_t at = 4; at + 4 <= payload.size() && found.size() < kMostAddresses;) {
+    const std::uint32_t id = reader.number(at, 2);
+    const std::size_t length = reader.number(at + 2, 2);
+    at += 4;
+    if (id == kEndOfParameters || length > payload.size() - at) break;
+    const std::uint32_t port = length == kLocator ? reader.number(at + 4, 4) : 0;
+    if (id == kMetatrafficUnicastLocator && length == kLocator && reader.number(at, 4) == kUdpV4 &&
+        port > 0 && port <= 0xffff) {
+      UdpAddress address{{}, static_cast<std::uint16_t>(port)};
+      std::copy_n(payload.begin() + static_cast<std::ptrdiff_t>(at + 20), 4, address.ip.begin());
+      found.push_back(address);
+    }
+    at += length;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<Announcement> read_announcement(std::span<const std::uint8_t> message) {
+  if (message.size() < kHeader ||
+      !std::equal(std::begin(kEProsima), std::end(kEProsima), message.begin() + kVendor)) {
+    return std::nullopt;
+  }
+  const auto payload = announcing_payload(message);
+  if (payload.empty()) return std::nullopt;
+  Announcement announcement;
+  std::copy_n(message.begin() + kPrefix, announcement.participant.size(), announcement.participant.begin());
+  announcement.addresses = addresses_in(payload);
+  return announcement;
+}
+
+bool Newcomers::answer(const Announcement& announcement, Clock::time_point now) {
+  if (known_.size() >= kMostParticipants && !known_.contains(announcement.participant)) known_.clear();
+  const auto [entry, is_new] = known_.try_emplace(announcement.participant, Acquaintance{now, now, 0});
+  Acquaintance& one = entry->second;
+  if (is_new || one.answers >= kMostAnswers || now - one.since > kYouth || now - one.answered < kPause)
+    return false;
+  if (now - second_ >= std::chrono::seconds(1)) {
+    second_ = now;
+    answers_this_second_ = 0;
+  }
+  if (++answers_this_second_ > kMostAnswersPerSecond) return false;
+  one.answered = now;
+  ++one.answers;
+  return true;
+}
+
+}  // namespace goalnet::ros::detail

@@ -1,0 +1,89 @@
+#include "components/ros/detail/held_reception.h"
+
+#include <fastdds/rtps/network/SenderResource.h>
+#include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+
+#include <atomic>
+#include <chrono>
+
+#include "components/ros/detail/introduction.h"
+
+namespace goalnet::ros::detail {
+namespace {
+
+namespace rtps = eprosima::fastdds::rtps;
+using eprosima::fastrtps::rtps::Locator_t;
+using eprosima::fastrtps::rtps::LocatorsIterator;
+using eprosima::fastrtps::rtps::octet;
+
+class HeldTransport : public rtps::ChainingTransport {
+ public:
+  HeldTransport(const rtps::ChainingTransportDescriptor& descriptor, std::shared_ptr<ReceptionGate> gate,
+                std::shared_ptr<Introduction> introduction)
+      : ChainingTransport(descriptor), gate_(std::move(gate)), introduction_(std::move(introduction)) {}
+
+  rtps::TransportDescriptorInterface* get_configuration() override {
+    return low_level_transport_->get_configuration();
+  }
+
+  bool send(eprosima::fastrtps::rtps::SenderResource* lower, const octet* buffer, std::uint32_t size,
+            LocatorsIterator* begin, LocatorsIterator* end,
+            const std::chrono::steady_clock::time_point& timeout) override {
+    introduction_->sent({buffer, size});
+    return lower->send(buffer, size, begin, end, timeout);
+  }
+
+  void receive(rtps::TransportReceiverInterface* next, const octet* buffer, std::uint32_t size,
+               const Locator_t& local, const Locator_t& remote) override {
+    if (!passed_.load(std::memory_order_acquire)) {
+      gate_->pass();
+      passed_.store(true, std::memory_order_release);
+    }
+    next->OnDataReceived(buffer, size, local, remote);
+    introduction_->received({buffer, size});  // after Fast DDS's own answer
+  }
+
+ private:
+  std::shared_ptr<ReceptionGate> gate_;
+  std::shared_ptr<Introduction> introduction_;
+  std::atomic<bool> passed_{false};
+};
+
+struct HeldDescriptor : rtps::ChainingTransportDescriptor {
+  HeldDescriptor(std::shared_ptr<TransportDescriptorInterface> lower, std::shared_ptr<ReceptionGate> the_gate,
+                 std::shared_ptr<Introduction> the_introduction)
+      : ChainingTransportDescriptor(std::move(lower)),
+        gate(std::move(the_gate)),
+        introduction(std::move(the_introduction)) {}
+  rtps::TransportInterface* create_transport() const override {
+    return new HeldTransport(*this, gate, introduction);
+  }
+  std::shared_ptr<ReceptionGate> gate;
+  std::shared_ptr<Introduction> introduction;
+};
+
+}  // namespace
+
+void ReceptionGate::open() {
+  {
+    std::lock_guard lock(mutex_);
+    open_ = true;
+  }
+  opened_.notify_all();
+}
+
+void ReceptionGate::pass() {
+  std::unique_lock lock(mutex_);
+  opened_.wait_for(lock, std::chrono::milliseconds(500), [this] { return open_; });
+}
+
+std::shared_ptr<ReceptionGate> hold_reception(eprosima::fastdds::dds::DomainParticipantQos& qos) {
+  auto gate = std::make_shared<ReceptionGate>();
+  auto introduction = std::make_shared<Introduction>();
+  for (auto& transport : qos.transport().user_transports)
+    transport = std::make_shared<HeldDescriptor>(transport, gate, introduction);
+  return gate;
+}
+
+}  // namespace goalnet::ros::detail

@@ -1,0 +1,135 @@
+// A DDS participant of a few sockets, for what no DDS library lets a test do: answer an announcement once, at
+// once, or not listen.
+#pragma once
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "components/ros/detail/announcements.h"
+
+namespace goalnet::ros {
+
+class FakeParticipant {
+ public:
+  using Bytes = std::vector<std::uint8_t>;
+
+  explicit FakeParticipant(int domain) : port_(static_cast<std::uint16_t>(7400 + 250 * domain)) {
+    unicast_ = ::socket(AF_INET, SOCK_DGRAM, 0);
+    sockaddr_in own = address("127.0.0.1", 0);
+    socklen_t size = sizeof own;
+    if (::bind(unicast_, reinterpret_cast<sockaddr*>(&own), sizeof own) != 0 ||
+        ::getsockname(unicast_, reinterpret_cast<sockaddr*>(&own), &size) != 0) {
+      throw std::runtime_error("no socket");
+    }
+    own_port_ = ntohs(own.sin_port);
+    multicast_ = ::socket(AF_INET, SOCK_DGRAM, 0);
+    const int yes = 1;
+    ::setsockopt(multicast_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    sockaddr_in any = address("0.0.0.0", port_);
+    if (::bind(multicast_, reinterpret_cast<sockaddr*>(&any), sizeof any) != 0)
+      throw std::runtime_error("no multicast socket");
+    ip_mreq group{};
+    group.imr_multiaddr.s_addr = inet_addr("239.255.0.1");
+    group.imr_interface.s_addr = inet_addr("127.0.0.1");
+    ::setsockopt(multicast_, IPPROTO_IP, IP_ADD_MEMBERSHIP, &group, sizeof group);
+    in_addr loopback{inet_addr("127.0.0.1")};
+    ::setsockopt(unicast_, IPPROTO_IP, IP_MULTICAST_IF, &loopback, sizeof loopback);
+    for (const int one : {unicast_, multicast_}) {
+      timeval patience{0, 20'000};
+      ::setsockopt(one, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    }
+  }
+  ~FakeParticipant() {
+    ::close(unicast_);
+    ::close(multicast_);
+  }
+  FakeParticipant(const FakeParticipant&) = delete;
+
+  const std::array<std::uint8_t, 12>& prefix() const { return prefix_; }
+  // Another participant from now on, as far as others can tell.
+  void rename() { ++prefix_[11]; }
+
+  // Announces itself to everybody, or to one participant alone.
+  void announce() { send(announcement(), address("239.255.0.1", port_)); }
+  void announce_to(const detail::UdpAddress& to) {
+    char text[20];
+    std::snprintf(text, sizeof text, "%d.%d.%d.%d", to.ip[0], to.ip[1], to.ip[2], to.ip[3]);
+    send(announcement(), address(text, to.port));
+  }
+
+  // The next announcement of anybody that comes by multicast; nothing after 20 ms.
+  std::optional<detail::Announcement> heard() { return detail::read_announcement(receive(multicast_)); }
+  // The next message to us alone; empty after 20 ms.
+  Bytes received() { return receive(unicast_); }
+
+  Bytes announcement() const {
+    Bytes out;
+    append(out, {'R', 'T', 'P', 'S', 2, 3, 0x01, 0x0f});
+    append(out, prefix_);
+    Bytes body;
+    append(body, {0, 0, 16, 0, 0, 1, 0, 0xc7, 0, 1, 0, 0xc2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0, 0});
+    parameter(body, 0x15, {2, 3, 0, 0});
+    parameter(body, 0x16, {0x01, 0x0f, 0, 0});
+    Bytes guid;
+    append(guid, prefix_);
+    append(guid, {0, 0, 1, 0xc1});
+    parameter(body, 0x50, guid);
+    Bytes locator;
+    append(locator, {1, 0, 0, 0, low(own_port_), high(own_port_), 0, 0});
+    append(locator, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 127, 0, 0, 1});
+    parameter(body, 0x32, locator);  // metatraffic
+    parameter(body, 0x31, locator);
+    parameter(body, 0x02, {20, 0, 0, 0, 0, 0, 0, 0});
+    parameter(body, 0x58, {0x3f, 0x0c, 0, 0});
+    parameter(body, 1, {});
+    append(out, {0x15, 0x05, low(body.size()), high(body.size())});
+    append(out, body);
+    return out;
+  }
+
+ private:
+  static sockaddr_in address(const char* ip, std::uint16_t port) {
+    sockaddr_in out{};
+    out.sin_family = AF_INET;
+    out.sin_addr.s_addr = inet_addr(ip);
+    out.sin_port = htons(port);
+    return out;
+  }
+  static std::uint8_t low(std::size_t number) { return static_cast<std::uint8_t>(number); }
+  static std::uint8_t high(std::size_t number) { return static_cast<std::uint8_t>(number >> 8); }
+  static void append(Bytes& out, std::span<const std::uint8_t> bytes) {
+    for (const std::uint8_t byte : bytes) out.push_back(byte);
+  }
+  static void append(Bytes& out, std::initializer_list<std::uint8_t> bytes) {
+    for (const std::uint8_t byte : bytes) out.push_back(byte);
+  }
+  static void parameter(Bytes& out, std::uint8_t id, const Bytes& value) {
+    append(out, {id, 0, low(value.size()), 0});
+    append(out, value);
+  }
+  void send(const Bytes& bytes, const sockaddr_in& to) {
+    ::sendto(unicast_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
+  }
+  static Bytes receive(int from) {
+    Bytes buffer(65'536);
+    const ssize_t size = ::recv(from, buffer.data(), buffer.size(), 0);
+    buffer.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+    return buffer;
+  }
+
+  const std::uint16_t port_;
+  std::uint16_t own_port_ = 0;
+  int unicast_ = -1, multicast_ = -1;
+  std::array<std::uint8_t, 12> prefix_{0x01, 0x0f, 0x12, 0x34, 0x56, 0x78, 0, 0, 0, 0, 0, 1};
+};
+
+}  // namespace goalnet::ros
