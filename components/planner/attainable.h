@@ -24,8 +24,8 @@ class Attainable {
 
   void restart(ProblemIndex& index, Budget& budget);
 
-  // False only where one of the literals holds in no state that can be reached. Means nothing once the budget has
-  // stopped.
+  // False only where one of the literals holds in no state that can be reached. Means nothing once the budget
+  // has stopped.
   bool can_hold(const std::vector<LiteralPattern>& literals, const ObjectId* binding);
 
  private:

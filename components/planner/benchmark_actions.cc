@@ -18,19 +18,33 @@ std::string lower(std::string text) {
 // Demonstrations write knobs, buttons and doors in lower case, but "SinkKnob" and "Microwave" as they are.
 std::string part_name(const std::string& name) {
   const std::string small = lower(name);
-  const bool part = small.starts_with("stoveknob") || small.ends_with("button") || small.starts_with("fridge") ||
-                    small == "icecreamscoop";
+  const bool part = small.starts_with("stoveknob") || small.ends_with("button") ||
+                    small.starts_with("fridge") || small == "icecreamscoop";
   return part ? small : name;
 }
 
 // The domain's spelling of names that demonstrations write in lower case.
 std::string domain_name(const std::string& name) {
-  static constexpr std::array<const char*, 20> kParts = {
-      "FridgeLeftDoor", "FridgeRightDoor", "StoveKnob_1", "StoveKnob_2", "StoveKnob_3", "StoveKnob_4", "SinkKnob",
-      "MicrowaveButton", "FridgeButton", "Tv_1PowerButton", "Tv_1ChannelUpButton", "Tv_1ChannelDownButton",
-      "Tv_1VolumeUpButton", "Tv_1VolumeDownButton", "Tv_1Remote_1PowerButton", "Tv_1Remote_1ChannelUpButton",
-      "Tv_1Remote_1ChannelDownButton", "Tv_1Remote_1VolumeUpButton", "Tv_1Remote_1VolumeDownButton",
-      "Tv_1Remote_1MuteButton"};
+  static constexpr std::array<const char*, 20> kParts = {"FridgeLeftDoor",
+                                                         "FridgeRightDoor",
+                                                         "StoveKnob_1",
+                                                         "StoveKnob_2",
+                                                         "StoveKnob_3",
+                                                         "StoveKnob_4",
+                                                         "SinkKnob",
+                                                         "MicrowaveButton",
+                                                         "FridgeButton",
+                                                         "Tv_1PowerButton",
+                                                         "Tv_1ChannelUpButton",
+                                                         "Tv_1ChannelDownButton",
+                                                         "Tv_1VolumeUpButton",
+                                                         "Tv_1VolumeDownButton",
+                                                         "Tv_1Remote_1PowerButton",
+                                                         "Tv_1Remote_1ChannelUpButton",
+                                                         "Tv_1Remote_1ChannelDownButton",
+                                                         "Tv_1Remote_1VolumeUpButton",
+                                                         "Tv_1Remote_1VolumeDownButton",
+                                                         "Tv_1Remote_1MuteButton"};
   for (const char* part : kParts) {
     if (equal_ignoring_case(part, name)) return part;
   }
@@ -50,7 +64,8 @@ Expected<Action> from_demonstration(std::string_view text) {
   }
   if (words.back().empty()) words.pop_back();
   const auto bad = [&] {
-    return fail(Outcome::kInvalidRequest, "not an action of the demonstrations: '" + std::string(text.substr(0, 80)) +
+    return fail(Outcome::kInvalidRequest, "not an action of the demonstrations: '" +
+                                              std::string(text.substr(0, 80)) +
                                               "'; write it like 'moveto Mug_1' or 'keep Mug_1 On Sink'");
   };
   if (words.empty()) return bad();

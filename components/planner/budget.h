@@ -1,7 +1,7 @@
 // When to stop: a deadline and a stop token, asked cheaply from inner loops.
 //
-// Every loop whose length grows with the problem asks, so that a search can be stopped at any time. What a stopped function
-// answers means nothing: who calls one looks at stopped() before using the answer.
+// Every loop whose length grows with the problem asks, so that a search can be stopped at any time. What a
+// stopped function answers means nothing: who calls one looks at stopped() before using the answer.
 #pragma once
 
 #include <chrono>

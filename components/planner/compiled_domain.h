@@ -2,14 +2,11 @@
 //
 // Preparation moves work from every query to the construction of a Planner:
 // - A parameter compared with constants, "(= ?z Sink)", splits the schema into one case per constant and one
-// for the
-//   rest, so that equality with constants disappears.
+//   for the rest, so that equality with constants disappears.
 // - A toggle, with effects under a condition and under its opposite, becomes two schemas (on and off). LM-cut
-// is weak on
-//   the undivided form.
+//   is weak on the undivided form.
 // - Disjunctions at the top of small preconditions become separate schemas; variables under a leading
-// 'exists' become
-//   further parameters.
+//   'exists' become further parameters.
 // - Effects are a flat list: variables, condition, literal.
 // Several schemas may therefore carry the name of one action.
 #pragma once

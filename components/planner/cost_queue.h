@@ -1,4 +1,5 @@
-// A priority queue of small numbers for Dijkstra-like passes: buckets while costs are small, a heap otherwise.
+// A priority queue of small numbers for Dijkstra-like passes: buckets while costs are small, a heap
+// otherwise.
 #pragma once
 
 #include <algorithm>

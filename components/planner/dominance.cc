@@ -37,29 +37,35 @@ bool contains(const std::vector<LiteralPattern>& of_a, const LiteralPattern& of_
 
 // The same condition, literal by literal.
 bool same_condition(const Condition& of_b, const Condition& of_a, Renaming names) {
-  if (!of_b.complex.empty() || !of_a.complex.empty() || !of_b.equalities.empty() || !of_a.equalities.empty()) {
+  if (!of_b.complex.empty() || !of_a.complex.empty() || !of_b.equalities.empty() ||
+      !of_a.equalities.empty()) {
     return false;
   }
   const auto same = [&](const std::vector<LiteralPattern>& b, const std::vector<LiteralPattern>& a) {
-    return b.size() == a.size() && std::all_of(b.begin(), b.end(), [&](const auto& l) { return contains(a, l, names); });
+    return b.size() == a.size() &&
+           std::all_of(b.begin(), b.end(), [&](const auto& l) { return contains(a, l, names); });
   };
   return same(of_b.fixed, of_a.fixed) && same(of_b.fluent, of_a.fluent);
 }
 
-bool has_effect(const CompiledSchema& a, const CompiledSchema& b, const CompiledEffect& of_b, const Renaming& names) {
+bool has_effect(const CompiledSchema& a, const CompiledSchema& b, const CompiledEffect& of_b,
+                const Renaming& names) {
   return std::any_of(a.effects.begin(), a.effects.end(), [&](const CompiledEffect& of_a) {
     if (of_a.variables.size() != of_b.variables.size()) return false;
     Renaming trial = names;
     for (std::size_t i = 0; i < of_b.variables.size(); ++i) {
-      const auto slot_b = static_cast<std::size_t>(of_b.variables[i]), slot_a = static_cast<std::size_t>(of_a.variables[i]);
+      const auto slot_b = static_cast<std::size_t>(of_b.variables[i]),
+                 slot_a = static_cast<std::size_t>(of_a.variables[i]);
       if (b.slots[slot_b] != a.slots[slot_a]) return false;
       trial[slot_b] = Term::variable(of_a.variables[i]);
     }
-    return maps_to(of_b.literal, of_a.literal, trial) && same_condition(of_b.condition, of_a.condition, trial);
+    return maps_to(of_b.literal, of_a.literal, trial) &&
+           same_condition(of_b.condition, of_a.condition, trial);
   });
 }
 
-bool dominates(const Domain& domain, const CompiledSchema& b, const CompiledSchema& a, const CompiledEffect& of_a) {
+bool dominates(const Domain& domain, const CompiledSchema& b, const CompiledSchema& a,
+               const CompiledEffect& of_a) {
   if (!b.cost.functions.empty() || b.cost.constant > a.cost.constant) return false;
   if (!b.precondition.complex.empty() || !b.precondition.equalities.empty()) return false;
   const auto achieves = [&](const CompiledEffect& of_b) {
@@ -69,7 +75,8 @@ bool dominates(const Domain& domain, const CompiledSchema& b, const CompiledSche
     for (std::int32_t slot = 0; slot < b.parameter_count; ++slot) {
       const auto i = static_cast<std::size_t>(slot);
       if (!names[i]) {
-        const auto fixed = std::find_if(b.fixed.begin(), b.fixed.end(), [&](const auto& f) { return f.first == slot; });
+        const auto fixed =
+            std::find_if(b.fixed.begin(), b.fixed.end(), [&](const auto& f) { return f.first == slot; });
         if (fixed == b.fixed.end()) return false;  // not determined by the literal
         names[i] = Term::object(fixed->second);
         continue;
@@ -78,13 +85,17 @@ bool dominates(const Domain& domain, const CompiledSchema& b, const CompiledSche
       const TypeSet types = names[i]->is_variable()
                                 ? a.slots[static_cast<std::size_t>(names[i]->slot())]
                                 : TypeSet{domain.constant_types[static_cast<std::size_t>(names[i]->value)]};
-      const bool accepted = std::all_of(types.begin(), types.end(), [&](TypeId t) { return domain.is_a(t, b.slots[i]); });
+      const bool accepted =
+          std::all_of(types.begin(), types.end(), [&](TypeId t) { return domain.is_a(t, b.slots[i]); });
       if (!accepted) return false;
     }
-    const auto known = [&](const std::vector<LiteralPattern>& needs, const std::vector<LiteralPattern>& given) {
-      return std::all_of(needs.begin(), needs.end(), [&](const auto& l) { return contains(given, l, names); });
+    const auto known = [&](const std::vector<LiteralPattern>& needs,
+                           const std::vector<LiteralPattern>& given) {
+      return std::all_of(needs.begin(), needs.end(),
+                         [&](const auto& l) { return contains(given, l, names); });
     };
-    return known(b.precondition.fixed, a.precondition.fixed) && known(b.precondition.fluent, a.precondition.fluent) &&
+    return known(b.precondition.fixed, a.precondition.fixed) &&
+           known(b.precondition.fluent, a.precondition.fluent) &&
            std::all_of(b.effects.begin(), b.effects.end(),
                        [&](const CompiledEffect& e) { return has_effect(a, b, e, names); });
   };
@@ -100,9 +111,11 @@ void mark_dominated_effects(CompiledDomain& compiled) {
     return 2 * static_cast<std::size_t>(literal.atom.predicate) + (literal.negative ? 1 : 0);
   };
   // By kind of literal: the schemas that produce it; most pairs of schemas have nothing in common.
-  std::vector<std::vector<const CompiledSchema*>> producers(2 * static_cast<std::size_t>(compiled.domain.predicates.size()));
+  std::vector<std::vector<const CompiledSchema*>> producers(
+      2 * static_cast<std::size_t>(compiled.domain.predicates.size()));
   for (const CompiledSchema& b : compiled.schemas) {
-    if (!b.cost.functions.empty() || !b.precondition.complex.empty() || !b.precondition.equalities.empty()) continue;
+    if (!b.cost.functions.empty() || !b.precondition.complex.empty() || !b.precondition.equalities.empty())
+      continue;
     for (const CompiledEffect& effect : b.effects) {
       auto& list = producers[kind(effect.literal)];
       if (effect.variables.empty() && (list.empty() || list.back() != &b)) list.push_back(&b);
@@ -115,7 +128,9 @@ void mark_dominated_effects(CompiledDomain& compiled) {
       // B must have fewer parameters, so that no two schemas dominate each other.
       effect.dominated = std::any_of(candidates.begin(), candidates.end(), [&](const CompiledSchema* b) {
         if (&a == b || b->parameter_count >= a.parameter_count) return false;
-        if (b->precondition.fluent.size() > a.precondition.fluent.size() || b->effects.size() > a.effects.size()) return false;
+        if (b->precondition.fluent.size() > a.precondition.fluent.size() ||
+            b->effects.size() > a.effects.size())
+          return false;
         return dominates(compiled.domain, *b, a, effect);
       });
     }

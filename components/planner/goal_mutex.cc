@@ -10,7 +10,8 @@ Pair ordered(Literal a, Literal b) { return a < b ? Pair{a, b} : Pair{b, a}; }
 
 class Prover {
  public:
-  Prover(const GroundTask& task, Budget& budget) : task_(task), budget_(budget), producers_(task.needed.size()) {
+  Prover(const GroundTask& task, Budget& budget)
+      : task_(task), budget_(budget), producers_(task.needed.size()) {
     for (std::size_t a = 0; a < task.actions.size() && !budget.poll(); ++a) {
       for (const GroundEffect& effect : task.effects_of(task.actions[a])) {
         producers_[static_cast<std::size_t>(effect.literal)].push_back(static_cast<std::int32_t>(a));
@@ -64,7 +65,8 @@ class Prover {
       const auto needs = task_.preconditions(action);
       if (std::find(needs.begin(), needs.end(), opposite(q)) != needs.end()) continue;
       const bool excluded = std::any_of(needs.begin(), needs.end(), [&](ConditionId r) {
-        return r >= 0 && r != p && std::find(assumed_.begin(), assumed_.end(), ordered(r, q)) != assumed_.end();
+        return r >= 0 && r != p &&
+               std::find(assumed_.begin(), assumed_.end(), ordered(r, q)) != assumed_.end();
       });
       if (excluded) continue;
       const bool shown = std::any_of(needs.begin(), needs.end(), [&](ConditionId r) {

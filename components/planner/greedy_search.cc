@@ -24,7 +24,8 @@ bool GreedySearch::pop(Entry* entry) {
 }
 
 std::int64_t GreedySearch::bytes() const {
-  return states_.bytes() + static_cast<std::int64_t>(all_.heap.bytes() + preferred_.heap.bytes() + nodes_.bytes());
+  return states_.bytes() +
+         static_cast<std::int64_t>(all_.heap.bytes() + preferred_.heap.bytes() + nodes_.bytes());
 }
 
 void GreedySearch::note_goals(const GroundTask& task) {

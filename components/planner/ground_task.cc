@@ -42,7 +42,8 @@ void derive(const GroundTask& task, Word* state) {
   };
   for (std::size_t begin = 0, end = 0; begin < task.axioms.size(); begin = end) {
     const std::int32_t layer = task.axioms[begin].layer;
-    for (end = begin; end < task.axioms.size() && task.axioms[end].layer == layer; ++end) fire(task.axioms[end]);
+    for (end = begin; end < task.axioms.size() && task.axioms[end].layer == layer; ++end)
+      fire(task.axioms[end]);
     while (!fresh.empty()) {
       const auto atom = static_cast<std::size_t>(fresh.back());
       fresh.pop_back();
@@ -54,7 +55,8 @@ void derive(const GroundTask& task, Word* state) {
 void apply_action(const GroundTask& task, const Word* state, const GroundAction& action, Word* next) {
   std::copy_n(state, task.words(), next);
   for (const GroundEffect& effect : task.effects_of(action)) {
-    if (!effect.conditional() || all_hold(task, state, task.conditions_of(effect))) make_true(next, effect.literal);
+    if (!effect.conditional() || all_hold(task, state, task.conditions_of(effect)))
+      make_true(next, effect.literal);
   }
   if (!task.axioms.empty()) derive(task, next);
 }

@@ -1,7 +1,7 @@
 // The ground form of a problem: only the atoms and actions that the goal can need.
 //
-// A literal is 2 * atom + (negative ? 1 : 0). A condition is a literal, or ~i for the i-th junction: a disjunction or
-// conjunction that could not be written as a list of literals.
+// A literal is 2 * atom + (negative ? 1 : 0). A condition is a literal, or ~i for the i-th junction: a
+// disjunction or conjunction that could not be written as a list of literals.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct GroundEffect {
 
 struct GroundAction {
   std::int32_t schema = 0;
-  std::uint32_t binding = 0;                                   // first of its parameters in GroundTask::bindings
+  std::uint32_t binding = 0;  // first of its parameters in GroundTask::bindings
   std::uint32_t precondition_begin = 0, precondition_end = 0;  // in GroundTask::conditions
   std::uint32_t effect_begin = 0, effect_end = 0;              // in GroundTask::effects; deletions first
   std::int64_t cost = 1;
@@ -39,16 +39,16 @@ struct Junction {
 
 // head follows where the conditions hold; see GroundTask::axioms.
 struct GroundAxiom {
-  Literal head = 0;  // positive, of a derived atom
+  Literal head = 0;                                      // positive, of a derived atom
   std::uint32_t condition_begin = 0, condition_end = 0;  // in GroundTask::conditions
   std::int32_t layer = 0;
 };
 
 struct GroundTask {
   AtomTable atoms;
-  std::vector<std::uint8_t> initial;   // by atom
-  std::vector<std::uint8_t> changes;   // by atom: some action changes it
-  std::vector<std::uint8_t> needed;    // by literal
+  std::vector<std::uint8_t> initial;  // by atom
+  std::vector<std::uint8_t> changes;  // by atom: some action changes it
+  std::vector<std::uint8_t> needed;   // by literal
   std::vector<GroundAction> actions;
   std::vector<ObjectId> bindings;
   std::vector<GroundEffect> effects;
@@ -56,18 +56,19 @@ struct GroundTask {
   std::vector<Junction> junctions;
   std::vector<ConditionId> junction_children;
   std::vector<ConditionId> goal;
-  bool goal_impossible = false;        // found false while grounding
-  // What defines derived atoms that depend on themselves ("above" follows from "above"), by layer: within a layer they
-  // only support each other, and what they need not to hold belongs to a layer below. In every state exactly those
-  // derived atoms hold that the axioms yield, layer by layer, starting from none.
+  bool goal_impossible = false;  // found false while grounding
+  // What defines derived atoms that depend on themselves ("above" follows from "above"), by layer: within a
+  // layer they only support each other, and what they need not to hold belongs to a layer below. In every
+  // state exactly those derived atoms hold that the axioms yield, layer by layer, starting from none.
   std::vector<GroundAxiom> axioms;
-  std::vector<std::uint8_t> derived;                  // by atom; empty where there are no axioms
-  std::vector<std::vector<std::int32_t>> triggers;    // by atom: axioms of its layer that read it
+  std::vector<std::uint8_t> derived;                // by atom; empty where there are no axioms
+  std::vector<std::vector<std::int32_t>> triggers;  // by atom: axioms of its layer that read it
 
   void clear();
 
   std::span<const ConditionId> preconditions(const GroundAction& action) const {
-    return {conditions.data() + action.precondition_begin, action.precondition_end - action.precondition_begin};
+    return {conditions.data() + action.precondition_begin,
+            action.precondition_end - action.precondition_begin};
   }
   std::span<const GroundEffect> effects_of(const GroundAction& action) const {
     return {effects.data() + action.effect_begin, action.effect_end - action.effect_begin};

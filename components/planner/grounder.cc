@@ -6,7 +6,10 @@
 namespace goalnet::planner {
 
 Grounder::Grounder(const CompiledDomain& compiled)
-    : compiled_(compiled), binder_(compiled), attainable_(compiled), actions_of_schema_(compiled.schemas.size()) {}
+    : compiled_(compiled),
+      binder_(compiled),
+      attainable_(compiled),
+      actions_of_schema_(compiled.schemas.size()) {}
 
 void Grounder::restart() {
   task_->clear();
@@ -22,8 +25,8 @@ void Grounder::restart() {
   stopped_ = too_large_ = false;
 }
 
-Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal, const std::vector<TypeSet>& goal_slots,
-                                  Budget& budget, GroundTask& task) {
+Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal,
+                                  const std::vector<TypeSet>& goal_slots, Budget& budget, GroundTask& task) {
   index_ = &index;
   budget_ = &budget;
   task_ = &task;
@@ -98,7 +101,8 @@ void Grounder::produce(const EffectReference& reference, Literal literal) {
   const CompiledEffect& effect = schema.effects[static_cast<std::size_t>(reference.effect)];
   if (effect.dominated) return;
   slots_ = &schema.slots;
-  if (!binder_.begin(schema) || !binder_.unify(schema, effect.literal.atom, task_->atoms[literal >> 1])) return;
+  if (!binder_.begin(schema) || !binder_.unify(schema, effect.literal.atom, task_->atoms[literal >> 1]))
+    return;
   bind_open(schema, effect, true, [&] {
     const std::int32_t action = action_for(reference.schema, true);
     if (action >= 0) add_effect(action, effect, literal, &effects_);
@@ -144,7 +148,8 @@ std::int32_t Grounder::action_for(std::int32_t schema_index, bool create) {
   task_->actions.push_back(ground);
   actions_of_schema_[static_cast<std::size_t>(schema_index)].push_back(action);
   action_of_entry_[static_cast<std::size_t>(entry)] = action;
-  for (std::uint32_t i = ground.precondition_begin; i < ground.precondition_end; ++i) need(task_->conditions[i]);
+  for (std::uint32_t i = ground.precondition_begin; i < ground.precondition_end; ++i)
+    need(task_->conditions[i]);
   return action;
 }
 
@@ -163,7 +168,8 @@ void Grounder::add_effect(std::int32_t action, const CompiledEffect& effect, Lit
   raw.effect.condition_end = static_cast<std::uint32_t>(task_->conditions.size());
   // What destroys a needed literal is not wanted itself.
   if (task_->needed[static_cast<std::size_t>(literal)] != 0) {
-    for (std::uint32_t i = raw.effect.condition_begin; i < raw.effect.condition_end; ++i) need(task_->conditions[i]);
+    for (std::uint32_t i = raw.effect.condition_begin; i < raw.effect.condition_end; ++i)
+      need(task_->conditions[i]);
   }
   effects->push_back(raw);
 }

@@ -5,7 +5,9 @@
 namespace goalnet::planner {
 
 std::vector<Goal> normalise_household_goal(const Goal& goal) {
-  const auto is_near = [](const Predicate& fact) { return fact.relation == "Near" && fact.subject == "Robot"; };
+  const auto is_near = [](const Predicate& fact) {
+    return fact.relation == "Near" && fact.subject == "Robot";
+  };
   const bool only_near = std::all_of(goal.positive.begin(), goal.positive.end(), is_near);
   Goal rest;
   rest.confidence = goal.confidence;

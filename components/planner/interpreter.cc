@@ -52,7 +52,8 @@ const std::vector<ObjectId>& Interpreter::objects(const TypeSet& types) const {
   return place->second;
 }
 
-// Calls visit() for every way to bind the variables from `index` on; stops and returns false when visit() does.
+// Calls visit() for every way to bind the variables from `index` on; stops and returns false when visit()
+// does.
 template <class Visit>
 bool Interpreter::for_each_binding(const std::vector<std::int32_t>& variables, std::size_t index,
                                    const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
@@ -110,18 +111,25 @@ bool Interpreter::atom_holds(const AtomPattern& atom, const std::vector<ObjectId
   return state.contains(atom.predicate, ground.ids.data(), ground.count);
 }
 
-bool Interpreter::holds(const Formula& formula, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
-                        const AtomSet& state) const {
+bool Interpreter::holds(const Formula& formula, const std::vector<TypeSet>& slots,
+                        std::vector<ObjectId>& binding, const AtomSet& state) const {
   const auto child = [&](const Formula& inner) { return holds(inner, slots, binding, state); };
   switch (formula.kind) {
-    case Formula::Kind::kTrue: return true;
-    case Formula::Kind::kFalse: return false;
-    case Formula::Kind::kAtom: return atom_holds(formula.atom, binding, state);
+    case Formula::Kind::kTrue:
+      return true;
+    case Formula::Kind::kFalse:
+      return false;
+    case Formula::Kind::kAtom:
+      return atom_holds(formula.atom, binding, state);
     case Formula::Kind::kEqual:
-      return formula.atom.arguments[0].resolve(binding.data()) == formula.atom.arguments[1].resolve(binding.data());
-    case Formula::Kind::kNot: return !child(formula.children[0]);
-    case Formula::Kind::kAnd: return std::all_of(formula.children.begin(), formula.children.end(), child);
-    case Formula::Kind::kOr: return std::any_of(formula.children.begin(), formula.children.end(), child);
+      return formula.atom.arguments[0].resolve(binding.data()) ==
+             formula.atom.arguments[1].resolve(binding.data());
+    case Formula::Kind::kNot:
+      return !child(formula.children[0]);
+    case Formula::Kind::kAnd:
+      return std::all_of(formula.children.begin(), formula.children.end(), child);
+    case Formula::Kind::kOr:
+      return std::any_of(formula.children.begin(), formula.children.end(), child);
     case Formula::Kind::kForall:
       return for_each_binding(formula.slots, 0, slots, binding, [&] { return child(formula.children[0]); });
     case Formula::Kind::kExists:
@@ -130,9 +138,9 @@ bool Interpreter::holds(const Formula& formula, const std::vector<TypeSet>& slot
   return false;
 }
 
-void Interpreter::collect(const Effect& effect, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
-                          const AtomSet& state, std::vector<AtomChange>* added,
-                          std::vector<AtomChange>* deleted) const {
+void Interpreter::collect(const Effect& effect, const std::vector<TypeSet>& slots,
+                          std::vector<ObjectId>& binding, const AtomSet& state,
+                          std::vector<AtomChange>* added, std::vector<AtomChange>* deleted) const {
   switch (effect.kind) {
     case Effect::Kind::kAdd:
     case Effect::Kind::kDelete: {
@@ -184,15 +192,19 @@ std::string Interpreter::why_not(const Formula& formula, const std::vector<TypeS
                                  std::vector<ObjectId>& binding, const AtomSet& state) const {
   const auto name = [&](Term term) { return problem_.object_name(term.resolve(binding.data())); };
   switch (formula.kind) {
-    case Formula::Kind::kTrue: return "";
-    case Formula::Kind::kFalse: return "it never applies";
-    case Formula::Kind::kAtom: return text(formula.atom, binding) + " does not hold";
+    case Formula::Kind::kTrue:
+      return "";
+    case Formula::Kind::kFalse:
+      return "it never applies";
+    case Formula::Kind::kAtom:
+      return text(formula.atom, binding) + " does not hold";
     case Formula::Kind::kEqual:
       return name(formula.atom.arguments[0]) + " is not " + name(formula.atom.arguments[1]);
     case Formula::Kind::kNot: {
       const Formula& inner = formula.children[0];
       if (inner.kind == Formula::Kind::kAtom) return text(inner.atom, binding) + " holds";
-      if (inner.kind == Formula::Kind::kEqual) return name(inner.atom.arguments[0]) + " may not be used with itself";
+      if (inner.kind == Formula::Kind::kEqual)
+        return name(inner.atom.arguments[0]) + " may not be used with itself";
       return "what must not hold holds";
     }
     case Formula::Kind::kAnd:
@@ -220,7 +232,8 @@ std::string Interpreter::why_not(const Formula& formula, const std::vector<TypeS
       });
       return result;
     }
-    case Formula::Kind::kExists: return "nothing fits a condition of the kind 'exists'";
+    case Formula::Kind::kExists:
+      return "nothing fits a condition of the kind 'exists'";
   }
   return "";
 }
@@ -236,27 +249,32 @@ Expected<const ActionSchema*> Interpreter::bind(const Action& action, std::vecto
   if (static_cast<std::int32_t>(action.arguments.size()) != schema.parameter_count) {
     return fail(Outcome::kInvalidRequest, "action " + schema.name + " takes " +
                                               std::to_string(schema.parameter_count) + " arguments, not " +
-                                              std::to_string(action.arguments.size()) + ": (" + to_string(action) + ")");
+                                              std::to_string(action.arguments.size()) + ": (" +
+                                              to_string(action) + ")");
   }
   binding.assign(schema.slots.size(), 0);
   for (std::size_t i = 0; i < action.arguments.size(); ++i) {
     const ObjectId id = problem_.find_object(action.arguments[i]);
     if (id == SymbolTable::kNone || !problem_.present(id)) {
-      return fail(Outcome::kUnknownObject, "(" + to_string(action) + "): unknown object '" + action.arguments[i] + "'" +
-                                               did_you_mean(action.arguments[i], problem_.first_object_names()));
+      return fail(Outcome::kUnknownObject,
+                  "(" + to_string(action) + "): unknown object '" + action.arguments[i] + "'" +
+                      did_you_mean(action.arguments[i], problem_.first_object_names()));
     }
     if (!problem_.object_is_a(id, schema.slots[i])) {
       std::string types;
-      for (const TypeId type : schema.slots[i]) types += (types.empty() ? "" : " or ") + domain.types.name(type);
-      return fail(Outcome::kInvalidRequest, "(" + to_string(action) + "): " + problem_.object_name(id) + " is a " +
-                                                domain.types.name(problem_.object_type(id)) + ", not a " + types);
+      for (const TypeId type : schema.slots[i])
+        types += (types.empty() ? "" : " or ") + domain.types.name(type);
+      return fail(Outcome::kInvalidRequest, "(" + to_string(action) + "): " + problem_.object_name(id) +
+                                                " is a " + domain.types.name(problem_.object_type(id)) +
+                                                ", not a " + types);
     }
     binding[i] = id;
   }
   return &schema;
 }
 
-Expected<std::int64_t> Interpreter::cost(const ActionSchema& schema, const std::vector<ObjectId>& binding) const {
+Expected<std::int64_t> Interpreter::cost(const ActionSchema& schema,
+                                         const std::vector<ObjectId>& binding) const {
   if (!problem_.minimise_cost) return 1;
   std::int64_t total = schema.cost.constant;
   for (const AtomPattern& function : schema.cost.functions) {

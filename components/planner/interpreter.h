@@ -1,5 +1,5 @@
-// Reads conditions and effects straight from the parsed text and applies them to a set of atoms. Slow and simple:
-// the validator and world.h use it; the search does not.
+// Reads conditions and effects straight from the parsed text and applies them to a set of atoms. Slow and
+// simple: the validator and world.h use it; the search does not.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ class Interpreter {
  public:
   explicit Interpreter(const Problem& problem);
 
-  // Sets the derived facts that depend on themselves ("above") as the others demand. To be called for a state before it is
-  // asked for anything, and again after every change.
+  // Sets the derived facts that depend on themselves ("above") as the others demand. To be called for a state
+  // before it is asked for anything, and again after every change.
   void complete(AtomSet& state) const;
 
   // `binding` gives the parameters and has room for all slots; `slots` are their types.
@@ -53,14 +53,16 @@ class Interpreter {
   std::vector<AtomChange> changes(const Effect& effect, const std::vector<TypeSet>& slots,
                                   std::vector<ObjectId>& binding, const AtomSet& state) const;
 
-  // The first part of `formula` that fails, as text: "(state Microwave DoorIsOpen) does not hold". For messages.
-  std::string why_not(const Formula& formula, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
-                      const AtomSet& state) const;
+  // The first part of `formula` that fails, as text: "(state Microwave DoorIsOpen) does not hold". For
+  // messages.
+  std::string why_not(const Formula& formula, const std::vector<TypeSet>& slots,
+                      std::vector<ObjectId>& binding, const AtomSet& state) const;
 
   // "(On Mug_1 Sink)"; unbound variables are shown as "?".
   std::string text(const AtomPattern& atom, const std::vector<ObjectId>& binding) const;
 
-  // The action's parameters from names: checks name, count and types. Errors: kInvalidRequest, kUnknownObject.
+  // The action's parameters from names: checks name, count and types. Errors: kInvalidRequest,
+  // kUnknownObject.
   Expected<const ActionSchema*> bind(const Action& action, std::vector<ObjectId>& binding) const;
 
   // Metric cost of one action: 1, or what it adds to total-cost.
@@ -69,7 +71,8 @@ class Interpreter {
  private:
   template <class Visit>
   bool for_each_binding(const std::vector<std::int32_t>& variables, std::size_t index,
-                        const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding, const Visit& visit) const;
+                        const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+                        const Visit& visit) const;
   bool atom_holds(const AtomPattern& atom, const std::vector<ObjectId>& binding, const AtomSet& state) const;
   void collect(const Effect& effect, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
                const AtomSet& state, std::vector<AtomChange>* added, std::vector<AtomChange>* deleted) const;

@@ -61,7 +61,8 @@ void LmCut::explore(const Word* state, Budget& budget) {
 void LmCut::update_supporter(std::int32_t index) {
   const auto i = static_cast<std::size_t>(index);
   for (const Proposition p : relaxed_->preconditions(relaxed_->operators()[i])) {
-    if (proposition_cost_[static_cast<std::size_t>(p)] > proposition_cost_[static_cast<std::size_t>(supporter_[i])]) {
+    if (proposition_cost_[static_cast<std::size_t>(p)] >
+        proposition_cost_[static_cast<std::size_t>(supporter_[i])]) {
       supporter_[i] = p;
     }
   }
@@ -98,10 +99,11 @@ void LmCut::propagate(Budget& budget) {
   }
 }
 
-// The goal zone: propositions from which the goal follows by operators that cost nothing any more. No free operator may
-// enter it from outside, so one precondition of each must be in the zone. Any that itself costs something will do (the
-// classical choice is the dearest); taking those that most operators share keeps the zone, and with it the cut, small,
-// and leaves more for later cuts. With forty cups to pour from, this is the difference between 6 and 10.
+// The goal zone: propositions from which the goal follows by operators that cost nothing any more. No free
+// operator may enter it from outside, so one precondition of each must be in the zone. Any that itself costs
+// something will do (the classical choice is the dearest); taking those that most operators share keeps the
+// zone, and with it the cut, small, and leaves more for later cuts. With forty cups to pour from, this is the
+// difference between 6 and 10.
 void LmCut::mark_goal_zone(Proposition goal, Budget& budget) {
   constexpr std::size_t kMostPending = 400;  // beyond, choosing well costs more than it gives
   const auto enter = [this](Proposition p) {
@@ -110,7 +112,8 @@ void LmCut::mark_goal_zone(Proposition goal, Budget& budget) {
     for (const std::int32_t producer : relaxed_->producers(p)) {
       const auto i = static_cast<std::size_t>(producer);
       const RelaxedOperator& op = relaxed_->operators()[i];
-      if (unsatisfied_[i] > 0 || (op.action >= 0 && cost_left_[static_cast<std::size_t>(op.action)] > 0)) continue;
+      if (unsatisfied_[i] > 0 || (op.action >= 0 && cost_left_[static_cast<std::size_t>(op.action)] > 0))
+        continue;
       pending_.push_back(producer);
     }
   };
@@ -128,18 +131,21 @@ void LmCut::mark_goal_zone(Proposition goal, Budget& budget) {
     }
     Proposition best = -1;
     for (const std::int32_t op : pending_) {
-      for (const Proposition p : relaxed_->preconditions(relaxed_->operators()[static_cast<std::size_t>(op)])) {
+      for (const Proposition p :
+           relaxed_->preconditions(relaxed_->operators()[static_cast<std::size_t>(op)])) {
         const auto i = static_cast<std::size_t>(p);
         if (proposition_cost_[i] == 0) continue;
         ++uses_[i];
         const auto rank = [this](Proposition q) {
-          return std::pair{uses_[static_cast<std::size_t>(q)], proposition_cost_[static_cast<std::size_t>(q)]};
+          return std::pair{uses_[static_cast<std::size_t>(q)],
+                           proposition_cost_[static_cast<std::size_t>(q)]};
         };
         if (best < 0 || rank(p) > rank(best)) best = p;
       }
     }
     for (const std::int32_t op : pending_) {
-      for (const Proposition p : relaxed_->preconditions(relaxed_->operators()[static_cast<std::size_t>(op)])) {
+      for (const Proposition p :
+           relaxed_->preconditions(relaxed_->operators()[static_cast<std::size_t>(op)])) {
         uses_[static_cast<std::size_t>(p)] = 0;
       }
     }
@@ -178,7 +184,8 @@ void LmCut::find_cut(const Word* state, Budget& budget) {
       if (--missing_[i] != 0) continue;
       bool enters = false;
       const auto effects = relaxed_->effects(operators[i]);
-      for (const Proposition effect : effects) enters = enters || in_zone_[static_cast<std::size_t>(effect)] != 0;
+      for (const Proposition effect : effects)
+        enters = enters || in_zone_[static_cast<std::size_t>(effect)] != 0;
       if (enters) {
         cut_.push_back(user);
       } else {

@@ -34,7 +34,8 @@ const AtomPattern* contradiction(const std::vector<GoalLiteral>& goal) {
     if (!l.negative) wanted.add(l.atom->predicate, arguments(*l.atom), l.atom->arguments.size());
   }
   for (const GoalLiteral& l : goal) {
-    if (l.negative && wanted.contains(l.atom->predicate, arguments(*l.atom), l.atom->arguments.size())) return l.atom;
+    if (l.negative && wanted.contains(l.atom->predicate, arguments(*l.atom), l.atom->arguments.size()))
+      return l.atom;
   }
   return nullptr;
 }
@@ -60,7 +61,8 @@ bool OneAction::bind(const CompiledSchema& schema, std::int32_t slot, ObjectId o
 bool OneAction::unify(const CompiledSchema& schema, const AtomPattern& pattern, const ObjectId* arguments) {
   for (std::size_t i = 0; i < pattern.arguments.size(); ++i) {
     const Term term = pattern.arguments[i];
-    if (term.is_variable() ? !bind(schema, term.slot(), arguments[i]) : term.value != arguments[i]) return false;
+    if (term.is_variable() ? !bind(schema, term.slot(), arguments[i]) : term.value != arguments[i])
+      return false;
   }
   return true;
 }
@@ -75,15 +77,17 @@ std::optional<OneAction::Found> OneAction::find(ProblemIndex& index, const std::
   const GoalLiteral* wanted = nullptr;
   for (const GoalLiteral& literal : goal) {
     if (holds(literal)) continue;
-    const auto& candidates = compiled_.producers[2 * static_cast<std::size_t>(literal.atom->predicate) +
-                                                 (literal.negative ? 1 : 0)];
+    const auto& candidates =
+        compiled_
+            .producers[2 * static_cast<std::size_t>(literal.atom->predicate) + (literal.negative ? 1 : 0)];
     if (producers != nullptr && candidates.size() >= producers->size()) continue;
     producers = &candidates;
     wanted = &literal;
   }
   if (wanted == nullptr) return std::nullopt;
   std::array<ObjectId, 16> arguments{};
-  for (std::size_t i = 0; i < wanted->atom->arguments.size(); ++i) arguments[i] = wanted->atom->arguments[i].value;
+  for (std::size_t i = 0; i < wanted->atom->arguments.size(); ++i)
+    arguments[i] = wanted->atom->arguments[i].value;
   for (const EffectReference& reference : *producers) {
     const CompiledSchema& schema = compiled_.schemas[static_cast<std::size_t>(reference.schema)];
     const CompiledEffect& effect = schema.effects[static_cast<std::size_t>(reference.effect)];
@@ -114,7 +118,8 @@ bool OneAction::search(const CompiledSchema& schema, const CompiledEffect* effec
     }
     for (const EqualityPattern& equality : condition->equalities) {
       if (is_open(equality.left) || is_open(equality.right)) continue;
-      if ((equality.left.resolve(binding_.data()) == equality.right.resolve(binding_.data())) == equality.negative) {
+      if ((equality.left.resolve(binding_.data()) == equality.right.resolve(binding_.data())) ==
+          equality.negative) {
         return false;
       }
     }
@@ -127,7 +132,8 @@ bool OneAction::search(const CompiledSchema& schema, const CompiledEffect* effec
     if (binding_[static_cast<std::size_t>(effect->variables[i])] < 0) open = effect->variables[i];
   }
   if (open < 0) {
-    return condition_holds(schema, schema.precondition) && condition_holds(schema, effect->condition) && accept(schema);
+    return condition_holds(schema, schema.precondition) && condition_holds(schema, effect->condition) &&
+           accept(schema);
   }
   for (const Condition* condition : conditions) {
     for (const EqualityPattern& equality : condition->equalities) {
@@ -180,7 +186,8 @@ bool OneAction::condition_holds(const CompiledSchema& schema, const Condition& c
     return index_->holds_initially(literal.atom, binding_.data()) != literal.negative;
   };
   const auto equality_holds = [this](const EqualityPattern& equality) {
-    return (equality.left.resolve(binding_.data()) == equality.right.resolve(binding_.data())) != equality.negative;
+    return (equality.left.resolve(binding_.data()) == equality.right.resolve(binding_.data())) !=
+           equality.negative;
   };
   return std::all_of(condition.fluent.begin(), condition.fluent.end(), literal_holds) &&
          std::all_of(condition.fixed.begin(), condition.fixed.end(), literal_holds) &&
@@ -193,14 +200,21 @@ bool OneAction::formula_holds(const CompiledSchema& schema, const Formula& formu
   if (budget_->poll()) return false;
   const auto child = [&](const Formula& inner) { return formula_holds(schema, inner); };
   switch (formula.kind) {
-    case Formula::Kind::kTrue: return true;
-    case Formula::Kind::kFalse: return false;
-    case Formula::Kind::kAtom: return index_->holds_initially(formula.atom, binding_.data());
+    case Formula::Kind::kTrue:
+      return true;
+    case Formula::Kind::kFalse:
+      return false;
+    case Formula::Kind::kAtom:
+      return index_->holds_initially(formula.atom, binding_.data());
     case Formula::Kind::kEqual:
-      return formula.atom.arguments[0].resolve(binding_.data()) == formula.atom.arguments[1].resolve(binding_.data());
-    case Formula::Kind::kNot: return !child(formula.children[0]);
-    case Formula::Kind::kAnd: return std::all_of(formula.children.begin(), formula.children.end(), child);
-    case Formula::Kind::kOr: return std::any_of(formula.children.begin(), formula.children.end(), child);
+      return formula.atom.arguments[0].resolve(binding_.data()) ==
+             formula.atom.arguments[1].resolve(binding_.data());
+    case Formula::Kind::kNot:
+      return !child(formula.children[0]);
+    case Formula::Kind::kAnd:
+      return std::all_of(formula.children.begin(), formula.children.end(), child);
+    case Formula::Kind::kOr:
+      return std::any_of(formula.children.begin(), formula.children.end(), child);
     case Formula::Kind::kForall:
     case Formula::Kind::kExists: {
       const bool universal = formula.kind == Formula::Kind::kForall;
@@ -225,9 +239,11 @@ bool OneAction::formula_holds(const CompiledSchema& schema, const Formula& formu
 }
 
 // Whether the effect makes the literal's atom what the effect says, for some instance of its variables.
-bool OneAction::happens(const CompiledSchema& schema, const CompiledEffect& effect, const GoalLiteral& literal) {
+bool OneAction::happens(const CompiledSchema& schema, const CompiledEffect& effect,
+                        const GoalLiteral& literal) {
   std::array<ObjectId, 16> arguments{};
-  for (std::size_t i = 0; i < literal.atom->arguments.size(); ++i) arguments[i] = literal.atom->arguments[i].value;
+  for (std::size_t i = 0; i < literal.atom->arguments.size(); ++i)
+    arguments[i] = literal.atom->arguments[i].value;
   // The search may be in the middle of binding the variables of this same effect.
   std::vector<ObjectId>& outer = outer_;
   outer.clear();

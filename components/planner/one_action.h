@@ -1,5 +1,5 @@
-// Most household goals are one action away. This finds such an action without grounding anything, or proves that there
-// is none.
+// Most household goals are one action away. This finds such an action without grounding anything, or proves
+// that there is none.
 #pragma once
 
 #include <cstdint>

@@ -41,8 +41,8 @@ void OptimalSearch::generate(std::int32_t parent, std::int32_t action) {
     Node& old = nodes_[static_cast<std::size_t>(id)];
     if (g >= old.g || old.h >= LmCut::kDeadEnd) return;
     if (symmetry_used_) {
-      // The known state may be a symmetric variant of this one; its children lead on from there, so it stays as it
-      // is, and this one takes its place.
+      // The known state may be a symmetric variant of this one; its children lead on from there, so it stays
+      // as it is, and this one takes its place.
       Node copy = old;
       old.closed = true;
       id = states_.add_variant(next_.data(), id);
@@ -77,8 +77,8 @@ std::int64_t OptimalSearch::bytes() const {
   return states_.bytes() + static_cast<std::int64_t>(nodes_.bytes() + heap_.bytes());
 }
 
-void OptimalSearch::start(const GroundTask& task, LmCut& lm_cut, const Word* initial, std::int64_t initial_estimate,
-                          Budget& budget) {
+void OptimalSearch::start(const GroundTask& task, LmCut& lm_cut, const Word* initial,
+                          std::int64_t initial_estimate, Budget& budget) {
   task_ = &task;
   lm_cut_ = &lm_cut;
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
@@ -97,7 +97,8 @@ void OptimalSearch::start(const GroundTask& task, LmCut& lm_cut, const Word* ini
   push(0);
 }
 
-OptimalSearch::Result OptimalSearch::resume(const SearchLimits& limits, Budget& budget, Statistics& statistics) {
+OptimalSearch::Result OptimalSearch::resume(const SearchLimits& limits, Budget& budget,
+                                            Statistics& statistics) {
   const GroundTask& task = *task_;
   upper_bound_ = limits.upper_bound;
   Result result = Result::kExhausted;

@@ -1,5 +1,6 @@
-// A* with LM-cut, strong stubborn sets and symmetry breaking. Evaluation is lazy: a state enters the queue with what
-// its parent's estimate implies and is evaluated when it comes up, which in easy problems is hardly ever.
+// A* with LM-cut, strong stubborn sets and symmetry breaking. Evaluation is lazy: a state enters the queue
+// with what its parent's estimate implies and is evaluated when it comes up, which in easy problems is hardly
+// ever.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,8 @@
 namespace goalnet::planner {
 
 struct SearchLimits {
-  std::int64_t nodes = 0;   // expanded since start; 0 = no limit
-  std::int64_t bytes = 0;   // of tables; 0 = no limit
+  std::int64_t nodes = 0;                    // expanded since start; 0 = no limit
+  std::int64_t bytes = 0;                    // of tables; 0 = no limit
   std::int64_t upper_bound = INT64_MAX / 4;  // only plans cheaper than this are of interest
 };
 
@@ -26,10 +27,11 @@ class OptimalSearch {
   enum class Result { kFound, kExhausted, kStopped, kNodeLimit, kMemoryLimit };
 
   // `initial_estimate` is LM-cut's value of the initial state. Task and heuristic must outlive the search.
-  void start(const GroundTask& task, LmCut& lm_cut, const Word* initial, std::int64_t initial_estimate, Budget& budget);
+  void start(const GroundTask& task, LmCut& lm_cut, const Word* initial, std::int64_t initial_estimate,
+             Budget& budget);
 
-  // Searches on from where it stopped. kFound: plan() is a cheapest plan below the upper bound. kExhausted: there is
-  // none below it. The upper bound may only go down from call to call.
+  // Searches on from where it stopped. kFound: plan() is a cheapest plan below the upper bound. kExhausted:
+  // there is none below it. The upper bound may only go down from call to call.
   Result resume(const SearchLimits& limits, Budget& budget, Statistics& statistics);
 
   const std::vector<std::int32_t>& plan() const { return plan_; }

@@ -50,7 +50,8 @@ std::span<const std::int32_t> ProblemIndex::facts(PredicateId predicate) {
   return {atoms_.data() + entry.begin, entry.end - entry.begin};
 }
 
-std::span<const std::int32_t> ProblemIndex::facts(PredicateId predicate, std::size_t position, ObjectId object) {
+std::span<const std::int32_t> ProblemIndex::facts(PredicateId predicate, std::size_t position,
+                                                  ObjectId object) {
   constexpr std::size_t kFew = 16;
   const auto all = facts(predicate);
   if (all.size() <= kFew) return all;
@@ -61,7 +62,8 @@ std::span<const std::int32_t> ProblemIndex::facts(PredicateId predicate, std::si
   if (!index.built) {
     index.built = true;
     index.begin.assign(static_cast<std::size_t>(problem_->object_count()) + 2, 0);
-    for (const std::int32_t atom : all) ++index.begin[static_cast<std::size_t>(initial.arguments(atom)[position]) + 2];
+    for (const std::int32_t atom : all)
+      ++index.begin[static_cast<std::size_t>(initial.arguments(atom)[position]) + 2];
     for (std::size_t i = 2; i < index.begin.size(); ++i) index.begin[i] += index.begin[i - 1];
     index.atoms.resize(all.size());
     for (const std::int32_t atom : all) {
@@ -83,7 +85,8 @@ std::int64_t ProblemIndex::cost(const CostExpression& expression, const ObjectId
   std::int64_t total = expression.constant;
   for (const AtomPattern& function : expression.functions) {
     std::array<ObjectId, 16> ids{};
-    for (std::size_t i = 0; i < function.arguments.size(); ++i) ids[i] = function.arguments[i].resolve(binding);
+    for (std::size_t i = 0; i < function.arguments.size(); ++i)
+      ids[i] = function.arguments[i].resolve(binding);
     const std::int32_t index =
         problem_->cost_atoms.find(function.predicate, ids.data(), function.arguments.size());
     if (index == AtomTable::kNone) return -1;

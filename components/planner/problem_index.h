@@ -1,5 +1,5 @@
-// Look-ups in one problem that grounding and the one-action search need: objects by type, facts by predicate and
-// argument, costs. Built lazily; reused from problem to problem.
+// Look-ups in one problem that grounding and the one-action search need: objects by type, facts by predicate
+// and argument, costs. Built lazily; reused from problem to problem.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ class ProblemIndex {
   }
   std::span<const ObjectId> objects(std::int32_t type_set);
 
-  // Initial atoms of a predicate; or of those the ones with `object` at `position` (a superset where facts are few).
+  // Initial atoms of a predicate; or of those the ones with `object` at `position` (a superset where facts
+  // are few).
   std::span<const std::int32_t> facts(PredicateId predicate);
   std::span<const std::int32_t> facts(PredicateId predicate, std::size_t position, ObjectId object);
 
@@ -36,7 +37,7 @@ class ProblemIndex {
   std::int64_t cost(const CostExpression& expression, const ObjectId* binding) const;
 
  private:
-  struct ByArgument {               // one position of one predicate
+  struct ByArgument {  // one position of one predicate
     bool built = false;
     std::vector<std::uint32_t> begin;  // by object, one more at the end
     std::vector<std::int32_t> atoms;
@@ -52,7 +53,7 @@ class ProblemIndex {
   std::vector<std::vector<ObjectId>> objects_;  // by type set
   std::vector<std::uint8_t> objects_built_;
   std::vector<ByPredicate> predicates_;
-  std::vector<std::int32_t> atoms_;             // by predicate
+  std::vector<std::int32_t> atoms_;  // by predicate
 };
 
 }  // namespace goalnet::planner

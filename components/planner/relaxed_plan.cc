@@ -52,11 +52,13 @@ void RelaxedPlanner::explore(const Word* state, Budget& budget) {
       sum_[i] = std::min(sum_[i] + cost, kHighest);
       if (--unsatisfied_[i] != 0) continue;
       const std::int32_t action = operators[i].action;
-      // Derived facts are taken to come and go for nothing, so that with axioms this alone does not make it applicable.
+      // Derived facts are taken to come and go for nothing, so that with axioms this alone does not make it
+      // applicable.
       if (cost == 0 && action >= 0 && sum_[i] == cost_of(operators[i]) &&
           (applicable_.empty() || applicable_.back() != action) &&
           (relaxed_->task().axioms.empty() ||
-           action_applies(relaxed_->task(), state, relaxed_->task().actions[static_cast<std::size_t>(action)]))) {
+           action_applies(relaxed_->task(), state,
+                          relaxed_->task().actions[static_cast<std::size_t>(action)]))) {
         applicable_.push_back(action);
       }
       for (const Proposition effect : relaxed_->effects(operators[i])) reach(effect, sum_[i], user);

@@ -73,7 +73,8 @@ void RelaxedTask::build(const GroundTask& task, Budget& budget) {
     effects_.push_back(axiom.head);
     ++operators_.back().effect_end;
   }
-  for (std::size_t atom = 0; atom < task.derived.size(); ++atom) {  // that something is not derived costs nothing here
+  for (std::size_t atom = 0; atom < task.derived.size();
+       ++atom) {  // that something is not derived costs nothing here
     if (task.derived[atom] == 0 || task.needed[2 * atom + 1] == 0) continue;
     add_operator(-1, {}, {});
     effects_.push_back(static_cast<Proposition>(2 * atom + 1));
@@ -104,8 +105,10 @@ void RelaxedTask::index(Budget& budget) {
       for (std::uint32_t k = begin; k < end; ++k) visit(values[k], static_cast<std::int32_t>(i));
     }
   };
-  fill_rows(propositions, user_begin_, users_, [&](const auto& visit) { each(preconditions_, false, visit); });
-  fill_rows(propositions, producer_begin_, producers_, [&](const auto& visit) { each(effects_, true, visit); });
+  fill_rows(propositions, user_begin_, users_,
+            [&](const auto& visit) { each(preconditions_, false, visit); });
+  fill_rows(propositions, producer_begin_, producers_,
+            [&](const auto& visit) { each(effects_, true, visit); });
   fill_rows(task_->actions.size(), action_begin_, action_operators_, [&](const auto& visit) {
     for (std::size_t i = 0; i < operators_.size(); ++i) {
       if (operators_[i].action >= 0) visit(operators_[i].action, static_cast<std::int32_t>(i));

@@ -1,6 +1,6 @@
-// The delete relaxation of a ground task: what once holds stays. Propositions are the needed literals, the junctions and
-// the goal; operators have plain lists of both. An action gives one operator for its unconditional effects and one for
-// each conditional effect, an axiom one that is free.
+// The delete relaxation of a ground task: what once holds stays. Propositions are the needed literals, the
+// junctions and the goal; operators have plain lists of both. An action gives one operator for its
+// unconditional effects and one for each conditional effect, an axiom one that is free.
 #pragma once
 
 #include <cstdint>
@@ -64,7 +64,8 @@ class RelaxedTask {
     const auto i = static_cast<std::size_t>(index);
     return {values.data() + begin[i], begin[i + 1] - begin[i]};
   }
-  void add_operator(std::int32_t action, std::span<const ConditionId> first, std::span<const ConditionId> second);
+  void add_operator(std::int32_t action, std::span<const ConditionId> first,
+                    std::span<const ConditionId> second);
   void index(Budget& budget);
 
   const GroundTask* task_ = nullptr;

@@ -98,7 +98,8 @@ const std::vector<std::int32_t>& StubbornSets::interfering(std::int32_t action, 
     add_all(readers(opposite(effect.literal)));    // it destroys what they read
     add_all(producers(opposite(effect.literal)));  // they and it leave different values
   }
-  for_each_read(ground, [&](Literal literal) { add_all(producers(opposite(literal))); });  // they destroy what it reads
+  for_each_read(
+      ground, [&](Literal literal) { add_all(producers(opposite(literal))); });  // they destroy what it reads
   if (keep && !budget.stopped()) {
     interfering_known_[a] = 1;
     kept_ += list.size();

@@ -23,8 +23,8 @@ std::size_t distinct(std::vector<std::uint64_t> colours) {
 
 }  // namespace
 
-// Colours say which atoms could be images of each other: an atom's new colour combines its old one with the roles it has
-// in actions, and these with the colours of all that the actions touch.
+// Colours say which atoms could be images of each other: an atom's new colour combines its old one with the
+// roles it has in actions, and these with the colours of all that the actions touch.
 Symmetry::Colours Symmetry::refined(const GroundTask& task, Colours colours, Budget& budget) const {
   std::size_t classes = distinct(colours);
   Colours next(colours.size());
@@ -45,7 +45,8 @@ Symmetry::Colours Symmetry::refined(const GroundTask& task, Colours colours, Bud
       };
       for (const GroundEffect& effect : task.effects_of(action)) all += of_effect(effect);
       const auto touch = [&](Literal literal, std::uint64_t role) {
-        next[static_cast<std::size_t>(literal >> 1)] += mix(mix(all, role), static_cast<std::uint64_t>(literal & 1));
+        next[static_cast<std::size_t>(literal >> 1)] +=
+            mix(mix(all, role), static_cast<std::uint64_t>(literal & 1));
       };
       for (const ConditionId c : task.preconditions(action)) touch(c, 11);
       for (const GroundEffect& effect : task.effects_of(action)) {
@@ -79,7 +80,8 @@ bool Symmetry::match(const Colours& left, const Colours& right, Permutation* per
     const std::uint64_t colour = left[static_cast<std::size_t>(from[begin])];
     std::size_t end = begin;
     while (end < count && left[static_cast<std::size_t>(from[end])] == colour) ++end;
-    Permutation ours(from.begin() + static_cast<std::ptrdiff_t>(begin), from.begin() + static_cast<std::ptrdiff_t>(end));
+    Permutation ours(from.begin() + static_cast<std::ptrdiff_t>(begin),
+                     from.begin() + static_cast<std::ptrdiff_t>(end));
     Permutation theirs;
     for (std::size_t i = begin; i < end; ++i) {
       if (right[static_cast<std::size_t>(to[i])] != colour) return false;
@@ -87,8 +89,10 @@ bool Symmetry::match(const Colours& left, const Colours& right, Permutation* per
     }
     // What is in both classes stays; the rest is paired in order.
     Permutation only_ours, only_theirs;
-    std::set_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(), std::back_inserter(only_ours));
-    std::set_difference(theirs.begin(), theirs.end(), ours.begin(), ours.end(), std::back_inserter(only_theirs));
+    std::set_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                        std::back_inserter(only_ours));
+    std::set_difference(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
+                        std::back_inserter(only_theirs));
     for (const std::int32_t atom : ours) (*permutation)[static_cast<std::size_t>(atom)] = atom;
     for (std::size_t i = 0; i < only_ours.size(); ++i) {
       (*permutation)[static_cast<std::size_t>(only_ours[i])] = only_theirs[i];
@@ -98,8 +102,8 @@ bool Symmetry::match(const Colours& left, const Colours& right, Permutation* per
   return true;
 }
 
-std::vector<std::vector<std::int32_t>> Symmetry::description(const GroundTask& task, const Permutation& permutation,
-                                                          Budget& budget) {
+std::vector<std::vector<std::int32_t>> Symmetry::description(const GroundTask& task,
+                                                             const Permutation& permutation, Budget& budget) {
   const auto image = [&](Literal literal) {
     return 2 * permutation[static_cast<std::size_t>(literal >> 1)] + (literal & 1);
   };
@@ -160,7 +164,8 @@ std::int64_t Symmetry::find(const GroundTask& task, Budget& budget) {
     const std::int32_t one = order[i], two = order[i + 1];
     if (stable[static_cast<std::size_t>(one)] != stable[static_cast<std::size_t>(two)]) continue;
     const bool known = std::any_of(generators_.begin(), generators_.end(), [&](const Generator& generator) {
-      return std::find(generator.moves.begin(), generator.moves.end(), std::pair{one, two}) != generator.moves.end();
+      return std::find(generator.moves.begin(), generator.moves.end(), std::pair{one, two}) !=
+             generator.moves.end();
     });
     if (known) continue;
     ++trials;
@@ -189,7 +194,8 @@ void Symmetry::canonical(const Word* state, Word* key) {
     for (const Generator& generator : generators_) {
       std::copy_n(key, words_, trial_.begin());
       for (const auto& [from, to] : generator.moves) {
-        const bool holds = (key[static_cast<std::size_t>(from) >> 6] >> (static_cast<std::size_t>(from) & 63u)) & 1u;
+        const bool holds =
+            (key[static_cast<std::size_t>(from) >> 6] >> (static_cast<std::size_t>(from) & 63u)) & 1u;
         make_true(trial_.data(), 2 * to + (holds ? 0 : 1));
       }
       if (std::lexicographical_compare(trial_.begin(), trial_.end(), key, key + words_)) {

@@ -7,7 +7,8 @@ namespace goalnet::planner {
 
 void TaskFilter::need(ConditionId condition) {
   if (condition < 0) {
-    for (const ConditionId child : from_->children(from_->junctions[static_cast<std::size_t>(~condition)])) need(child);
+    for (const ConditionId child : from_->children(from_->junctions[static_cast<std::size_t>(~condition)]))
+      need(child);
     return;
   }
   auto& mark = needed_[static_cast<std::size_t>(condition)];

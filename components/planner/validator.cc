@@ -19,7 +19,8 @@ Expected<Validation> validate(const Problem& problem, const std::vector<Action>&
     if (!schema) return fail(schema.error().outcome, where + schema.error().message);
     const ActionSchema& action = **schema;
     if (!interpreter.holds(action.precondition, action.slots, binding, state)) {
-      return fail(Outcome::kNoPlan, where + interpreter.why_not(action.precondition, action.slots, binding, state));
+      return fail(Outcome::kNoPlan,
+                  where + interpreter.why_not(action.precondition, action.slots, binding, state));
     }
     const auto cost = interpreter.cost(action, binding);
     if (!cost) return fail(cost.error().outcome, where + cost.error().message);

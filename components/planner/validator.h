@@ -13,12 +13,12 @@
 namespace goalnet::planner {
 
 struct Validation {
-  std::int64_t cost = 0;  // of the plan, by the problem's metric
+  std::int64_t cost = 0;                 // of the plan, by the problem's metric
   std::vector<std::string> final_facts;  // "(on a b)", sorted
 };
 
-// kInvalidRequest for an unknown action or wrong arguments, kNoPlan for a precondition that fails ("step 3, (load p t
-// a): ... does not hold") or a goal not reached.
+// kInvalidRequest for an unknown action or wrong arguments, kNoPlan for a precondition that fails ("step 3,
+// (load p t a): ... does not hold") or a goal not reached.
 Expected<Validation> validate(const Problem& problem, const std::vector<Action>& plan);
 
 }  // namespace goalnet::planner

@@ -22,13 +22,14 @@ TypeId type_for(const Domain& domain, std::string_view name) {
   for (std::int32_t id = 0; id < domain.constants.size(); ++id) {
     const TypeId type = domain.constant_types[static_cast<std::size_t>(id)];
     // Only things: the class of Coke_1 is not that of the content Coke.
-    if (domain.is_a(type, thing) && equal_ignoring_case(class_of(domain.constants.name(id)), wanted)) return type;
+    if (domain.is_a(type, thing) && equal_ignoring_case(class_of(domain.constants.name(id)), wanted))
+      return type;
   }
   return thing;
 }
 
-// Household bookkeeping: how many objects are in the hands and on the tray, as (HandsHold One), (TrayHolds Zero).
-// Domains without these predicates are not touched.
+// Household bookkeeping: how many objects are in the hands and on the tray, as (HandsHold One), (TrayHolds
+// Zero). Domains without these predicates are not touched.
 constexpr std::array<const char*, 5> kCounts = {"Zero", "One", "Two", "Three", "Four"};
 
 void add_count(Problem& problem, const char* predicate_name, std::size_t count, std::size_t most) {
@@ -55,9 +56,10 @@ bool is_bookkeeping(const Domain& domain, PredicateId predicate) {
   return name == "HandsHold" || name == "TrayHolds";
 }
 
-// The fact's arguments as objects of the problem; false if some name or the relation is unknown, or the shape differs.
-bool intern(const Problem& problem, const Predicate& fact, PredicateId* predicate, std::array<ObjectId, 2>* ids,
-            std::size_t* count) {
+// The fact's arguments as objects of the problem; false if some name or the relation is unknown, or the shape
+// differs.
+bool intern(const Problem& problem, const Predicate& fact, PredicateId* predicate,
+            std::array<ObjectId, 2>* ids, std::size_t* count) {
   *predicate = problem.domain().predicates.find(fact.relation);
   if (*predicate == SymbolTable::kNone) return false;
   const auto& schema = problem.domain().predicate_schemas[static_cast<std::size_t>(*predicate)].parameters;
@@ -109,7 +111,8 @@ Expected<Formula> goal_literal(const Problem& problem, const Predicate& fact) {
   const Domain& domain = problem.domain();
   const PredicateId predicate = domain.predicates.find(fact.relation);
   if (predicate == SymbolTable::kNone) {
-    return fail(Outcome::kInvalidRequest, "goal " + to_string(fact) + ": unknown relation '" + fact.relation + "'" +
+    return fail(Outcome::kInvalidRequest, "goal " + to_string(fact) + ": unknown relation '" + fact.relation +
+                                              "'" +
                                               did_you_mean(fact.relation, domain.predicates.first_names()));
   }
   const auto& schema = domain.predicate_schemas[static_cast<std::size_t>(predicate)].parameters;
@@ -131,8 +134,8 @@ Expected<Formula> goal_literal(const Problem& problem, const Predicate& fact) {
         if (problem.object_is_a(other, schema[i])) names.push_back(problem.object_name(other));
       }
       return fail(Outcome::kUnknownObject, "goal " + to_string(fact) + ": unknown " +
-                                               (fact.relation == "state" && i == 1 ? "state '" : "object '") + name +
-                                               "'" + did_you_mean(name, names));
+                                               (fact.relation == "state" && i == 1 ? "state '" : "object '") +
+                                               name + "'" + did_you_mean(name, names));
     }
     if (!problem.object_is_a(id, schema[i])) {
       return fail(Outcome::kInvalidRequest, "goal " + to_string(fact) + ": " + name + ", a " +
@@ -191,8 +194,9 @@ Expected<void> prepare(const WorldState& state, const Action& action, Prepared& 
   interpreter.complete(prepared.atoms);
   const ActionSchema& s = *prepared.schema;
   if (interpreter.holds(s.precondition, s.slots, prepared.binding, prepared.atoms)) return {};
-  return fail(Outcome::kNoPlan, "(" + to_string(action) + ") is not possible: " +
-                                    interpreter.why_not(s.precondition, s.slots, prepared.binding, prepared.atoms));
+  return fail(Outcome::kNoPlan,
+              "(" + to_string(action) + ") is not possible: " +
+                  interpreter.why_not(s.precondition, s.slots, prepared.binding, prepared.atoms));
 }
 
 }  // namespace
@@ -225,7 +229,8 @@ Expected<FactSet> apply(const Domain& domain, const WorldState& state, const Act
   for (const AtomChange& change :
        interpreter.changes(schema.effect, schema.slots, prepared.binding, prepared.atoms)) {
     if (is_bookkeeping(domain, change.predicate)) continue;
-    Predicate fact{domain.predicates.name(change.predicate), prepared.problem.object_name(change.arguments[0]),
+    Predicate fact{domain.predicates.name(change.predicate),
+                   prepared.problem.object_name(change.arguments[0]),
                    change.arguments.size() > 1 ? prepared.problem.object_name(change.arguments[1]) : ""};
     change.added ? facts.insert(fact) : facts.erase(fact);
   }

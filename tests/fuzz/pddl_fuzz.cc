@@ -1,5 +1,5 @@
-// Feeds arbitrary text to the PDDL parsers; what parses is planned for, with limits, and plans are replayed. The first line
-// that is only "====" separates the domain from the problem.
+// Feeds arbitrary text to the PDDL parsers; what parses is planned for, with limits, and plans are replayed.
+// The first line that is only "====" separates the domain from the problem.
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>

@@ -25,17 +25,19 @@ FactSet facts_of(const nlohmann::json& state, std::vector<Predicate> facts) {
   return FactSet(std::move(facts));
 }
 
-PlanQuestion difference_question(const std::string& name, const std::vector<std::string>& objects, const FactSet& from,
-                                 const FactSet& to) {
+PlanQuestion difference_question(const std::string& name, const std::vector<std::string>& objects,
+                                 const FactSet& from, const FactSet& to) {
   return {name, {objects, from}, {difference(to, from).values(), difference(from, to).values(), 1.0}};
 }
 
-// A kitchen with the usual fixtures and `room` objects in all, of which the first `count` are cups on the counter.
+// A kitchen with the usual fixtures and `room` objects in all, of which the first `count` are cups on the
+// counter.
 PlanQuestion kitchen(int count, int room) {
   PlanQuestion question;
   std::vector<Predicate> facts;
-  question.state.objects = {"Robot", "Counter_1", "Sink", "SinkKnob", "Stove", "StoveFire_1", "StoveFire_2",
-                            "StoveFire_3", "StoveFire_4", "Fridge", "Microwave", "CoffeeTable_1"};
+  question.state.objects = {"Robot",       "Counter_1",   "Sink",        "SinkKnob",
+                            "Stove",       "StoveFire_1", "StoveFire_2", "StoveFire_3",
+                            "StoveFire_4", "Fridge",      "Microwave",   "CoffeeTable_1"};
   for (int i = 1; static_cast<int>(question.state.objects.size()) < std::max(room, count + 12); ++i) {
     const std::string cup = "Cup_" + std::to_string(i);
     question.state.objects.push_back(cup);
@@ -60,7 +62,8 @@ bool for_each_recorded_question(const std::filesystem::path& folder,
   const std::vector<Predicate> properties = properties_of(constants);
   for (const char* part : {"train", "val"}) {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / part)) files.push_back(entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(folder / part))
+      files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {
       const auto demo = nlohmann::json::parse(std::ifstream(file));

@@ -16,9 +16,9 @@ struct PlanQuestion {
   Goal goal;
 };
 
-// Gives one recorded question after the other, so that never all are in memory: `single` asks for a recorded state to the
-// next recorded difference, `whole` for the start to the net difference. Returns false if the folder does not have the
-// demonstrations.
+// Gives one recorded question after the other, so that never all are in memory: `single` asks for a recorded
+// state to the next recorded difference, `whole` for the start to the net difference. Returns false if the
+// folder does not have the demonstrations.
 bool for_each_recorded_question(const std::filesystem::path& folder,
                                 const std::function<void(const PlanQuestion&)>& single,
                                 const std::function<void(const PlanQuestion&)>& whole);

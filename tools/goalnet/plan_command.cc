@@ -42,7 +42,8 @@ double peak_memory_mb() {
 
 nlohmann::json to_json(const planner::Plan& plan) {
   nlohmann::json actions = nlohmann::json::array();
-  for (const Action& action : plan.actions) actions.push_back({{"name", action.name}, {"arguments", action.arguments}});
+  for (const Action& action : plan.actions)
+    actions.push_back({{"name", action.name}, {"arguments", action.arguments}});
   const planner::Statistics& s = plan.statistics;
   return {{"actions", actions},
           {"cost", plan.cost},
@@ -78,7 +79,8 @@ Expected<planner::Plan> make_plan(const Options& options, bool* with_costs) {
   if (!plan) return plan;
   // Nobody should act on a plan that was not replayed.
   if (const auto valid = planner::validate(*problem, plan->actions); !valid) {
-    return fail(Outcome::kInternal, "the plan found is not valid; please report this problem: " + valid.error().message);
+    return fail(Outcome::kInternal,
+                "the plan found is not valid; please report this problem: " + valid.error().message);
   }
   return plan;
 }
@@ -87,7 +89,9 @@ Expected<planner::Plan> make_plan(const Options& options, bool* with_costs) {
 
 int plan_command(int argc, char** argv) {
   Options options;
-  CLI::App app("Solves a PDDL problem (PDDL 2.1's ADL part, action costs, derived predicates) and prints a cheapest plan.");
+  CLI::App app(
+      "Solves a PDDL problem (PDDL 2.1's ADL part, action costs, derived predicates) and prints a cheapest "
+      "plan.");
   app.name("goalnet plan");
   app.add_option("domain", options.domain, "PDDL domain file")->required();
   app.add_option("problem", options.problem, "PDDL problem file")->required();
@@ -95,8 +99,9 @@ int plan_command(int argc, char** argv) {
                  "seconds; then the best plan so far is printed, which may not be optimal (0: no limit)")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  app.add_option("--proof-limit", options.proof_limit,
-                 "seconds for proving a plan that was found optimal, or improving it (0: up to the time limit)")
+  app.add_option(
+         "--proof-limit", options.proof_limit,
+         "seconds for proving a plan that was found optimal, or improving it (0: up to the time limit)")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--memory-limit", options.memory_limit, "megabytes for the search's tables")
@@ -123,7 +128,8 @@ int plan_command(int argc, char** argv) {
   } else if (plan) {
     std::fputs(planner::to_competition_format(*plan, with_costs).c_str(), stdout);
     if (!plan->optimal) {
-      std::printf("; not known to be optimal: no plan costs less than %lld\n", static_cast<long long>(plan->lower_bound));
+      std::printf("; not known to be optimal: no plan costs less than %lld\n",
+                  static_cast<long long>(plan->lower_bound));
     }
     if (options.statistics) {
       std::fputs(planner::statistics_as_comments(*plan).c_str(), stdout);

@@ -1,4 +1,5 @@
-// config/domains/benchmark.pddl against the recorded demonstrations: the same actions must change the same facts.
+// config/domains/benchmark.pddl against the recorded demonstrations: the same actions must change the same
+// facts.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,8 +14,8 @@
 namespace goalnet::planner {
 namespace {
 
-// The facts after the action's effects, whatever its precondition says: perturbed recordings lack some facts that
-// the recorded action needed.
+// The facts after the action's effects, whatever its precondition says: perturbed recordings lack some facts
+// that the recorded action needed.
 FactSet after_effects(const Domain& domain, const WorldState& state, const Action& action) {
   const auto problem = make_problem(domain, state, Goal{});
   const Interpreter interpreter(*problem);
@@ -69,12 +70,26 @@ TEST(BenchmarkDomain, EqualsTheRecordedStateChanges) {
 }
 
 TEST(BenchmarkActions, ConvertBothWays) {
-  for (const char* text : {"moveto Mug_1", "grasp Kettle", "release Kettle", "keep Mug_1 On Sink",
-                           "keep Mug_1 In Microwave", "turn SinkKnob", "turn stoveknob_3", "press fridgebutton",
-                           "press tv_1remote_1powerbutton", "open fridgeleftdoor", "close Microwave", "pour Mug_1",
-                           "pour Mug_1 Kettle", "add icecreamscoop Mug_1", "add Ramen_1 Kettle",
-                           "scoop Spoon_1 IceCream_1", "squeeze Syrup_2 Mug_1", "insert Cd_1 Xbox_1",
-                           "place Spoon_1 Mug_1", "noop"}) {
+  for (const char* text : {"moveto Mug_1",
+                           "grasp Kettle",
+                           "release Kettle",
+                           "keep Mug_1 On Sink",
+                           "keep Mug_1 In Microwave",
+                           "turn SinkKnob",
+                           "turn stoveknob_3",
+                           "press fridgebutton",
+                           "press tv_1remote_1powerbutton",
+                           "open fridgeleftdoor",
+                           "close Microwave",
+                           "pour Mug_1",
+                           "pour Mug_1 Kettle",
+                           "add icecreamscoop Mug_1",
+                           "add Ramen_1 Kettle",
+                           "scoop Spoon_1 IceCream_1",
+                           "squeeze Syrup_2 Mug_1",
+                           "insert Cd_1 Xbox_1",
+                           "place Spoon_1 Mug_1",
+                           "noop"}) {
     const auto action = from_demonstration(text);
     ASSERT_TRUE(action) << action.error().message;
     EXPECT_EQ(to_demonstration(*action), text);

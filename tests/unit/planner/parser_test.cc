@@ -43,15 +43,20 @@ TEST(DomainParser, ReadsAWholeDomain) {
 }
 
 TEST(DomainParser, NamesWhatIsWrongAndWhere) {
-  const auto with = [](const char* from, const char* to) { return domain_error(replaced(kDomain, from, to)); };
-  EXPECT_THAT(with(":adl", ":durative-actions"), HasSubstr("1:38: requirement ':durative-actions' is not supported"));
+  const auto with = [](const char* from, const char* to) {
+    return domain_error(replaced(kDomain, from, to));
+  };
+  EXPECT_THAT(with(":adl", ":durative-actions"),
+              HasSubstr("1:38: requirement ':durative-actions' is not supported"));
   EXPECT_THAT(with(":adl", ":preferences"), HasSubstr("':preferences' is not supported"));
   EXPECT_THAT(with(":adl", ":numeric-fluents"), HasSubstr("':numeric-fluents' is not supported"));
-  EXPECT_THAT(with("(not (on ?c ?t))", "(not (onn ?c ?t))"), HasSubstr("7:22: unknown predicate 'onn' (did you mean on?)"));
+  EXPECT_THAT(with("(not (on ?c ?t))", "(not (onn ?c ?t))"),
+              HasSubstr("7:22: unknown predicate 'onn' (did you mean on?)"));
   EXPECT_THAT(with("(not (on ?c ?t))", "(not (on ?c))"), HasSubstr("'on' takes 2 arguments, not 1"));
   EXPECT_THAT(with("(not (on ?c ?t))", "(not (on ?t ?c))"), HasSubstr("must be a cup, not a table"));
   EXPECT_THAT(with("(not (on ?c ?t))", "(not (on ?c ?z))"), HasSubstr("variable '?z' is not bound"));
-  EXPECT_THAT(with("(not (on ?c ?t))", "(not (on ?c dusk))"), HasSubstr("unknown constant 'dusk' (did you mean desk?)"));
+  EXPECT_THAT(with("(not (on ?c ?t))", "(not (on ?c dusk))"),
+              HasSubstr("unknown constant 'dusk' (did you mean desk?)"));
   EXPECT_THAT(with("(not (on ?c ?t))", "(> (on ?c ?t) 3)"), HasSubstr(":numeric-fluents"));
   EXPECT_THAT(with("- thing)\n", "- thing thing - cup)\n"), HasSubstr("cycle"));
   EXPECT_THAT(with("desk - table", "desk - tabel"), HasSubstr("unknown type 'tabel' (did you mean table?)"));
@@ -66,8 +71,9 @@ TEST(DomainParser, NamesWhatIsWrongAndWhere) {
   EXPECT_THAT(with("desk - table", "de\x01sk - table"), HasSubstr("the byte 1"));
   EXPECT_THAT(domain_error(""), HasSubstr("1:1: expected '('"));
   EXPECT_THAT(domain_error("(define (domain a) (:derived (p) (p)))"), HasSubstr("unknown predicate"));
-  EXPECT_THAT(domain_error("(define (domain a) (:predicates (p) (q)) (:derived (p) (q)) (:derived (q) (not (p))))"),
-              HasSubstr("'q' depends on its own opposite"));
+  EXPECT_THAT(
+      domain_error("(define (domain a) (:predicates (p) (q)) (:derived (p) (q)) (:derived (q) (not (p))))"),
+      HasSubstr("'q' depends on its own opposite"));
   EXPECT_THAT(with("- thing)\n", "- thing cup - thing)\n"), HasSubstr("type 'cup' is declared twice"));
 }
 
@@ -78,21 +84,26 @@ TEST(DomainParser, TakesWhatPeopleWrite) {
     return domain ? "parsed" : domain.error().message;
   };
   // A type with two parents, declared twice; a type that is only named as a parent; "object" itself.
-  EXPECT_EQ(parses("(define (domain d) (:types place area - object storearea - area area crate - surface))"), "parsed");
+  EXPECT_EQ(parses("(define (domain d) (:types place area - object storearea - area area crate - surface))"),
+            "parsed");
   EXPECT_EQ(parses("(define (domain d) (:types object a b - c))"), "parsed");
-  EXPECT_EQ(parses("(DEFINE (DOMAIN D) (:REQUIREMENTS :STRIPS :ADL :Quantified-Preconditions :DERIVED-PREDICATES)"
-                   "(:PREDICATES (P ?X) (q ?x)) (:ACTION A :PARAMETERS (?X) :PRECONDITION (p ?x) :EFFECT (Q ?x)))"),
-            "parsed");
-  EXPECT_EQ(parses("(define (domain d) (:predicates (p) (q)) (:action a :effect (p)) (:action b :parameters ()"
-                   " :precondition () :effect (and (not (p)) (q))) (:action c :parameters () :precondition (and)"
-                   " :effect (and)))"),
-            "parsed");
-  EXPECT_EQ(parses("(define (domain d) (:types a b) (:predicates (at ?x - (either a b) ?y)) (:functions (total-cost)"
-                   " - number (dist ?x ?y - a) - number) (:action m :parameters (?x ?y - a) :precondition"
-                   " (forall (?z - b) (imply (at ?z ?x) (exists (?w - a) (and (not (= ?w ?x)) (at ?z ?w)))))"
-                   " :effect (and (forall (?z - b) (when (at ?z ?x) (and (not (at ?z ?x)) (at ?z ?y))))"
-                   " (increase (total-cost) (dist ?x ?y)))))"),
-            "parsed");
+  EXPECT_EQ(
+      parses("(DEFINE (DOMAIN D) (:REQUIREMENTS :STRIPS :ADL :Quantified-Preconditions :DERIVED-PREDICATES)"
+             "(:PREDICATES (P ?X) (q ?x)) (:ACTION A :PARAMETERS (?X) :PRECONDITION (p ?x) :EFFECT (Q ?x)))"),
+      "parsed");
+  EXPECT_EQ(
+      parses("(define (domain d) (:predicates (p) (q)) (:action a :effect (p)) (:action b :parameters ()"
+             " :precondition () :effect (and (not (p)) (q))) (:action c :parameters () :precondition (and)"
+             " :effect (and)))"),
+      "parsed");
+  EXPECT_EQ(
+      parses(
+          "(define (domain d) (:types a b) (:predicates (at ?x - (either a b) ?y)) (:functions (total-cost)"
+          " - number (dist ?x ?y - a) - number) (:action m :parameters (?x ?y - a) :precondition"
+          " (forall (?z - b) (imply (at ?z ?x) (exists (?w - a) (and (not (= ?w ?x)) (at ?z ?w)))))"
+          " :effect (and (forall (?z - b) (when (at ?z ?x) (and (not (at ?z ?x)) (at ?z ?y))))"
+          " (increase (total-cost) (dist ?x ?y)))))"),
+      "parsed");
   EXPECT_EQ(parses("(define (domain d) (:predicates (on ?x ?y) (above ?x ?y)) (:derived (above ?x ?y)"
                    " (or (on ?x ?y) (exists (?z) (and (on ?x ?z) (above ?z ?y))))))"),
             "parsed");
@@ -122,10 +133,13 @@ TEST(ProblemParser, NamesWhatIsWrongAndWhere) {
       "(define (problem p) (:domain room) (:objects mug - cup)\n(:init (clean mug))\n(:goal (on mug desk))\n"
       "(:metric minimize (total-cost)))";
   EXPECT_EQ(problem_error(good), "parsed");
-  EXPECT_THAT(problem_error(replaced(good, "room", "garden")), HasSubstr("1:30: the problem is for domain 'garden'"));
-  EXPECT_THAT(problem_error(replaced(good, "on mug", "on mag")), HasSubstr("3:12: unknown object 'mag' (did you mean mug?)"));
+  EXPECT_THAT(problem_error(replaced(good, "room", "garden")),
+              HasSubstr("1:30: the problem is for domain 'garden'"));
+  EXPECT_THAT(problem_error(replaced(good, "on mug", "on mag")),
+              HasSubstr("3:12: unknown object 'mag' (did you mean mug?)"));
   EXPECT_THAT(problem_error(replaced(good, "mug - cup", "mug mug - cup")), HasSubstr("declared twice"));
-  EXPECT_THAT(problem_error(replaced(good, "(clean mug)", "(clean mug desk)")), HasSubstr("takes 1 arguments"));
+  EXPECT_THAT(problem_error(replaced(good, "(clean mug)", "(clean mug desk)")),
+              HasSubstr("takes 1 arguments"));
   EXPECT_THAT(problem_error(replaced(good, "minimize", "maximize")), HasSubstr("minimize"));
   EXPECT_THAT(problem_error("(define (problem p) (:domain room))"), HasSubstr("has no (:goal"));
 }

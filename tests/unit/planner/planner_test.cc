@@ -1,4 +1,5 @@
-// The planner on its own domains and on other people's kind of domains: right costs, typed refusals, limits, cancelling.
+// The planner on its own domains and on other people's kind of domains: right costs, typed refusals, limits,
+// cancelling.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +29,8 @@ class OtherDomains : public testing::TestWithParam<Known> {};
 TEST_P(OtherDomains, AreSolvedOptimally) {
   const auto domain = load_domain(path(std::string("tests/data/pddl/") + GetParam().domain + ".pddl"));
   ASSERT_TRUE(domain) << domain.error().message;
-  const auto problem = load_problem(path(std::string("tests/data/pddl/") + GetParam().problem + ".pddl"), *domain);
+  const auto problem =
+      load_problem(path(std::string("tests/data/pddl/") + GetParam().problem + ".pddl"), *domain);
   ASSERT_TRUE(problem) << problem.error().message;
   Planner planner(*domain);
   const auto plan = planner.solve(*problem);
@@ -51,7 +53,8 @@ TEST_P(OtherDomains, AreSolvedOptimally) {
 INSTANTIATE_TEST_SUITE_P(All, OtherDomains,
                          testing::Values(Known{"blocks", "blocks-8", 16}, Known{"gripper", "gripper-6", 17},
                                          Known{"logistics", "logistics-4", 48}, Known{"lift", "lift-5", 11},
-                                         Known{"rovers", "rovers-2", 14}, Known{"satellite", "satellite-3", 11}),
+                                         Known{"rovers", "rovers-2", 14},
+                                         Known{"satellite", "satellite-3", 11}),
                          [](const auto& test) { return std::string(test.param.domain); });
 
 class Household : public testing::Test {
@@ -60,8 +63,8 @@ class Household : public testing::Test {
     auto loaded = load_domain(path("config/domains/household.pddl"));
     ASSERT_TRUE(loaded) << loaded.error().message;
     domain_ = std::move(*loaded);
-    world_.objects = {"Robot", "Mug_1", "Kettle", "Coke_1", "Plate_1", "Plate_2", "Sink", "SinkKnob", "Stove",
-                      "StoveFire_1", "StoveFire_2", "Counter_1", "Microwave", "Fridge"};
+    world_.objects = {"Robot",    "Mug_1", "Kettle",      "Coke_1",      "Plate_1",   "Plate_2",   "Sink",
+                      "SinkKnob", "Stove", "StoveFire_1", "StoveFire_2", "Counter_1", "Microwave", "Fridge"};
     for (const char* item : {"Mug_1", "Kettle", "Coke_1", "Plate_1", "Plate_2"}) {
       world_.facts.insert({"IsGraspable", item, ""});
       world_.facts.insert({"On", item, "Counter_1"});
@@ -97,8 +100,11 @@ TEST_F(Household, EverydayGoals) {
   EXPECT_EQ(achieve({{{"In", "Mug_1", "Microwave"}}, {}})->actions.size(), 5u);
   EXPECT_EQ(achieve({{{"In", "Coke_1", "Fridge"}}, {}})->actions.size(), 5u);
   EXPECT_TRUE(achieve({{{"On", "Plate_1", "Sink"}, {"On", "Plate_2", "Sink"}}, {}})->optimal);
-  EXPECT_TRUE(achieve({{{"state", "Kettle", "Water"}, {"On", "Kettle", "StoveFire_1"}, {"state", "Stove", "StoveFire1"}}, {}})
-                  ->optimal);
+  EXPECT_TRUE(
+      achieve(
+          {{{"state", "Kettle", "Water"}, {"On", "Kettle", "StoveFire_1"}, {"state", "Stove", "StoveFire1"}},
+           {}})
+          ->optimal);
   EXPECT_TRUE(achieve({{{"Grasping", "Robot", "Mug_1"}}, {{"On", "Kettle", "Counter_1"}}})->optimal);
 }
 
@@ -138,7 +144,8 @@ TEST_F(Household, NearIsAMeans) {
   const auto goals = normalise_household_goal({{{"Near", "Robot", "Sink"}, {"On", "Mug_1", "Sink"}}, {}});
   ASSERT_EQ(goals.size(), 1u);
   EXPECT_EQ(goals[0].positive, (std::vector<Predicate>{{"On", "Mug_1", "Sink"}}));
-  EXPECT_EQ(normalise_household_goal({{{"Near", "Robot", "Sink"}, {"Near", "Robot", "Stove"}}, {}}).size(), 2u);
+  EXPECT_EQ(normalise_household_goal({{{"Near", "Robot", "Sink"}, {"Near", "Robot", "Stove"}}, {}}).size(),
+            2u);
 }
 
 // The state of the recording that no planner may accept: two facts that exclude each other.
@@ -162,9 +169,10 @@ TEST(Classical, ExclusiveGoalsAreNamedHoweverLargeTheProblem) {
       objects += name;
       init += " (on-table" + name + ") (clear" + name + ")";
     }
-    const auto problem = parse_problem("(define (problem p) (:domain blocks) (:objects" + objects + " - block) (:init " +
-                                           init + ") (:goal (and (on b1 b0) (on b3 b2) (on b2 b0))))",
-                                       "p", *domain);
+    const auto problem =
+        parse_problem("(define (problem p) (:domain blocks) (:objects" + objects + " - block) (:init " +
+                          init + ") (:goal (and (on b1 b0) (on b3 b2) (on b2 b0))))",
+                      "p", *domain);
     ASSERT_TRUE(problem) << problem.error().message;
     const auto plan = solve(*domain, *problem);
     ASSERT_FALSE(plan);
@@ -181,9 +189,12 @@ std::string towers(int blocks) {
     objects += " " + name;
     init += i % 5 == 0 ? " (on-table " + name + ")" : " (on " + name + " b" + std::to_string(i - 1) + ")";
     if (i % 5 == 4 || i + 1 == blocks) init += " (clear " + name + ")";
-    if (i + 1 < blocks) goal += " (on b" + std::to_string((i * 7) % blocks) + " b" + std::to_string(((i + 1) * 7) % blocks) + ")";
+    if (i + 1 < blocks)
+      goal +=
+          " (on b" + std::to_string((i * 7) % blocks) + " b" + std::to_string(((i + 1) * 7) % blocks) + ")";
   }
-  return "(define (problem t) (:domain blocks) (:objects" + objects + " - block) (:init " + init + ") (:goal (and" + goal + ")))";
+  return "(define (problem t) (:domain blocks) (:objects" + objects + " - block) (:init " + init +
+         ") (:goal (and" + goal + ")))";
 }
 
 TEST(Limits, ATimeLimitGivesAPlanOrSaysSo) {

@@ -1,5 +1,5 @@
-// Thousands of random small problems: the planner's plans are valid and as cheap as those of breadth-first search, and
-// it says "no plan" exactly where that finds none.
+// Thousands of random small problems: the planner's plans are valid and as cheap as those of breadth-first
+// search, and it says "no plan" exactly where that finds none.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,7 +17,9 @@ struct Tally {
 
 void compare(std::uint64_t seed, bool with_costs, Tally* tally) {
   const RandomText text = random_problem(seed, with_costs);
-  const auto context = [&] { return "seed " + std::to_string(seed) + "\n" + text.domain + "\n" + text.problem; };
+  const auto context = [&] {
+    return "seed " + std::to_string(seed) + "\n" + text.domain + "\n" + text.problem;
+  };
   const auto domain = parse_domain(text.domain, "random domain");
   ASSERT_TRUE(domain) << domain.error().message << "\n" << context();
   auto problem = parse_problem(text.problem, "random problem", *domain);
@@ -74,8 +76,8 @@ TEST(RandomProblems, PlansAreAsShortAsBreadthFirst) {
   EXPECT_GT(tally.solved, problem_count() / 5);
   EXPECT_GT(tally.long_plans, problem_count() / 100);
   EXPECT_GT(tally.unsolvable, problem_count() / 20);
-  std::cout << tally.solved << " solved (" << tally.long_plans << " with 3 actions and more), " << tally.unsolvable
-            << " without a plan, " << tally.gave_up << " too large to compare\n";
+  std::cout << tally.solved << " solved (" << tally.long_plans << " with 3 actions and more), "
+            << tally.unsolvable << " without a plan, " << tally.gave_up << " too large to compare\n";
 }
 
 TEST(RandomProblems, PlansAreAsCheapAsUniformCostSearch) {
@@ -85,8 +87,8 @@ TEST(RandomProblems, PlansAreAsCheapAsUniformCostSearch) {
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(tally.solved, problem_count() / 10);
-  std::cout << tally.solved << " solved (" << tally.long_plans << " with 3 actions and more), " << tally.unsolvable
-            << " without a plan, " << tally.gave_up << " too large to compare\n";
+  std::cout << tally.solved << " solved (" << tally.long_plans << " with 3 actions and more), "
+            << tally.unsolvable << " without a plan, " << tally.gave_up << " too large to compare\n";
 }
 
 }  // namespace

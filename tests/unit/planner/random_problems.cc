@@ -17,9 +17,11 @@ class Writer {
 
   RandomText write() {
     const int predicates = 3 + below(3);
-    for (int i = 0; i < predicates; ++i) arity_.push_back(below(5) == 0 ? 2 : below(2) + (below(3) == 0 ? 1 : 0));
+    for (int i = 0; i < predicates; ++i)
+      arity_.push_back(below(5) == 0 ? 2 : below(2) + (below(3) == 0 ? 1 : 0));
     // p0 is static: no effect mentions it.
-    std::string domain = "(define (domain d) (:requirements :adl :derived-predicates)\n(:types t u - object)\n";
+    std::string domain =
+        "(define (domain d) (:requirements :adl :derived-predicates)\n(:types t u - object)\n";
     domain += "(:constants k - t)\n(:predicates";
     for (std::size_t p = 0; p < arity_.size(); ++p) {
       domain += " (p" + std::to_string(p);
@@ -30,14 +32,16 @@ class Writer {
     variables_ = {"?x"};
     derived_allowed_ = false;
     domain += "(:derived (derived ?x) " + formula(1) + ")\n";
-    if (below(3) == 0) {  // a chain of links that hold at the time; sometimes two definitions, sometimes with a negation
+    if (below(3) ==
+        0) {  // a chain of links that hold at the time; sometimes two definitions, sometimes with a negation
       chain_ = true;
       variables_ = {"?x", "?y"};
       const std::string link = formula(1);
-      domain += below(2) == 0
-                    ? "(:derived (chain ?x ?y) (or " + link + " (exists (?z) (and (chain ?x ?z) (chain ?z ?y)))))\n"
-                    : "(:derived (chain ?x ?y - (either t u)) " + link +
-                          ")\n(:derived (chain ?x ?y) (exists (?z) (and (chain ?x ?z) (chain ?z ?y) (not (derived ?z)))))\n";
+      domain += below(2) == 0 ? "(:derived (chain ?x ?y) (or " + link +
+                                    " (exists (?z) (and (chain ?x ?z) (chain ?z ?y)))))\n"
+                              : "(:derived (chain ?x ?y - (either t u)) " + link +
+                                    ")\n(:derived (chain ?x ?y) (exists (?z) (and (chain ?x ?z) (chain ?z "
+                                    "?y) (not (derived ?z)))))\n";
     }
     derived_allowed_ = true;
     const int actions = 2 + below(4);
@@ -84,7 +88,8 @@ class Writer {
   }
 
   std::string term() {
-    if (!variables_.empty() && below(5) != 0) return variables_[static_cast<std::size_t>(below(static_cast<int>(variables_.size())))];
+    if (!variables_.empty() && below(5) != 0)
+      return variables_[static_cast<std::size_t>(below(static_cast<int>(variables_.size())))];
     if (!objects_only_) return "k";
     return std::vector<std::string>{"k", "a", "b", "c"}[static_cast<std::size_t>(below(4))];
   }
@@ -114,8 +119,8 @@ class Writer {
     variables_.push_back(variable);
     const std::string inner = formula(depth - 1);
     variables_.pop_back();
-    return std::string(choice == 6 ? "(forall (" : "(exists (") + variable + (below(2) == 0 ? " - t) " : ") ") + inner +
-           ")";
+    return std::string(choice == 6 ? "(forall (" : "(exists (") + variable +
+           (below(2) == 0 ? " - t) " : ") ") + inner + ")";
   }
 
   std::string effect(int depth) {
@@ -151,7 +156,8 @@ class Writer {
     if (with_costs_) {
       const bool priced = below(3) == 0;
       variables_.resize(static_cast<std::size_t>(parameters));
-      text += " (increase (total-cost) " + (priced ? "(price " + term() + ")" : std::to_string(below(4))) + ")";
+      text +=
+          " (increase (total-cost) " + (priced ? "(price " + term() + ")" : std::to_string(below(4))) + ")";
     }
     return text + "))\n";
   }
@@ -274,7 +280,8 @@ Reference breadth_first(const Problem& problem, std::size_t most_states) {
     open.pop();
     if (g > best.at(*state)) continue;
     std::vector<ObjectId> goal_binding(problem.goal_slots.size(), 0);
-    if (interpreter.holds(problem.goal, problem.goal_slots, goal_binding, set_of(problem, *state))) return {true, false, g};
+    if (interpreter.holds(problem.goal, problem.goal_slots, goal_binding, set_of(problem, *state)))
+      return {true, false, g};
     if (best.size() > most_states) return {false, true, 0};
     for_each_successor(problem, *state, [&, from = g](State next, std::int64_t cost) {
       const auto [place, is_new] = best.emplace(std::move(next), from + cost);

@@ -1,5 +1,5 @@
-// Random small planning problems with everything that ADL offers, and breadth-first search to solve them without any
-// cleverness.
+// Random small planning problems with everything that ADL offers, and breadth-first search to solve them
+// without any cleverness.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ struct RandomText {
 // The same seed gives the same text.
 RandomText random_problem(std::uint64_t seed, bool with_costs);
 
-// Replaces the goal by a few facts, true and false, of a state that `steps` random actions lead to: then there is a plan.
+// Replaces the goal by a few facts, true and false, of a state that `steps` random actions lead to: then
+// there is a plan.
 void set_reachable_goal(std::uint64_t seed, int steps, Problem& problem);
 
 struct Reference {
