@@ -1,10 +1,12 @@
 // A set of ground atoms with dense numbers: predicate and arguments ↔ 0, 1, 2, ...
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "components/planner/arena.h"
+#include "components/planner/chunks.h"
 #include "components/planner/formula.h"
 #include "components/planner/hash_index.h"
 
@@ -20,10 +22,20 @@ class AtomTable {
  public:
   static constexpr std::int32_t kNone = HashIndex::kNone;
 
+  AtomTable() = default;
+  AtomTable(AtomTable&&) = default;
+  AtomTable& operator=(AtomTable&&) = default;
+  AtomTable(const AtomTable& other) { *this = other; }
+  AtomTable& operator=(const AtomTable& other) {
+    if (this == &other) return *this;
+    clear();
+    for (const Entry& atom : other.atoms_) add(atom.predicate, atom.arguments, atom.count);
+    return *this;
+  }
+
   void clear() {
-    predicates_.clear();
+    atoms_.clear();
     arguments_.clear();
-    offsets_.assign(1, 0);
     index_.clear();
   }
 
@@ -48,21 +60,31 @@ class AtomTable {
         });
     if (is_new != nullptr) *is_new = atom == next;
     if (atom != next) return atom;
-    predicates_.push_back(predicate);
-    arguments_.insert(arguments_.end(), arguments, arguments + count);
-    offsets_.push_back(static_cast<std::uint32_t>(arguments_.size()));
+    atoms_.push_back(
+        {arguments_.copy(std::span(arguments, count)).data(), predicate, static_cast<std::uint32_t>(count)});
     return atom;
   }
 
-  std::int32_t size() const { return static_cast<std::int32_t>(predicates_.size()); }
-  PredicateId predicate(std::int32_t atom) const { return predicates_[static_cast<std::size_t>(atom)]; }
+  std::int32_t size() const { return static_cast<std::int32_t>(atoms_.size()); }
+  PredicateId predicate(std::int32_t atom) const { return entry(atom).predicate; }
   std::span<const ObjectId> arguments(std::int32_t atom) const {
-    const auto i = static_cast<std::size_t>(atom);
-    return {arguments_.data() + offsets_[i], offsets_[i + 1] - offsets_[i]};
+    return {entry(atom).arguments, entry(atom).count};
   }
   AtomRef operator[](std::int32_t atom) const { return {predicate(atom), arguments(atom)}; }
 
+  // visit(predicate) for every atom in turn, as long as that answers true.
+  template <class Visit>
+  bool each_predicate(const Visit& visit) const {
+    return atoms_.each([&](const Entry& atom) { return visit(atom.predicate); });
+  }
+
  private:
+  struct Entry {
+    const ObjectId* arguments;
+    PredicateId predicate;
+    std::uint32_t count;
+  };
+  const Entry& entry(std::int32_t atom) const { return atoms_[static_cast<std::size_t>(atom)]; }
   static std::uint64_t hash(PredicateId predicate, const ObjectId* arguments, std::size_t count) {
     std::uint64_t h = static_cast<std::uint64_t>(predicate) * 0x9E3779B97F4A7C15ULL;
     for (std::size_t i = 0; i < count; ++i) {
@@ -72,18 +94,16 @@ class AtomTable {
     return h;
   }
   bool same(std::int32_t atom, PredicateId predicate, const ObjectId* arguments, std::size_t count) const {
-    const auto i = static_cast<std::size_t>(atom);
-    if (predicates_[i] != predicate || offsets_[i + 1] - offsets_[i] != count) return false;
-    const ObjectId* mine = arguments_.data() + offsets_[i];
-    for (std::size_t k = 0; k < count; ++k) {
-      if (mine[k] != arguments[k]) return false;
+    const Entry& mine = entry(atom);
+    if (mine.predicate != predicate || mine.count != count) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (mine.arguments[i] != arguments[i]) return false;
     }
     return true;
   }
 
-  std::vector<PredicateId> predicates_;
-  std::vector<std::uint32_t> offsets_ = {0};
-  std::vector<ObjectId> arguments_;
+  Chunks<Entry> atoms_;
+  Arena arguments_;
   HashIndex index_;
 };
 

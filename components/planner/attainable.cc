@@ -14,6 +14,7 @@ std::size_t kind_of(PredicateId predicate, bool negative) {
 // and for no doubtful one; what it needs not to hold is taken for granted.
 std::vector<std::uint8_t> doubtful_kinds(const CompiledDomain& compiled) {
   std::vector<std::uint8_t> doubtful(compiled.producers.size(), 1);
+  if (doubtful.empty()) return doubtful;  // compiling was cancelled
   const auto easy = [&](const Condition& condition) {
     return std::all_of(condition.fixed.begin(), condition.fixed.end(),
                        [](const auto& l) { return l.negative; }) &&
@@ -29,7 +30,7 @@ std::vector<std::uint8_t> doubtful_kinds(const CompiledDomain& compiled) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t kind = 0; kind < doubtful.size(); ++kind) {
-      const auto& producers = compiled.producers[kind];
+      const auto producers = compiled.producers[kind];
       if (doubtful[kind] == 0 || std::none_of(producers.begin(), producers.end(), easily_produced)) continue;
       doubtful[kind] = 0;
       changed = true;
@@ -54,11 +55,11 @@ void Attainable::restart(ProblemIndex& index, Budget& budget) {
   answers_.clear();
 }
 
-bool Attainable::can_hold(const std::vector<LiteralPattern>& literals, const ObjectId* binding) {
+bool Attainable::can_hold(std::span<const LiteralPattern> literals, const ObjectId* binding) {
   return can_hold(literals, binding, 0);
 }
 
-bool Attainable::can_hold(const std::vector<LiteralPattern>& literals, const ObjectId* binding,
+bool Attainable::can_hold(std::span<const LiteralPattern> literals, const ObjectId* binding,
                           std::size_t depth) {
   return std::all_of(literals.begin(), literals.end(), [&](const LiteralPattern& literal) {
     return ask(literal.atom, literal.negative, binding, depth);

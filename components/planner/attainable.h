@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "components/planner/atom_table.h"
@@ -26,7 +27,7 @@ class Attainable {
 
   // False only where one of the literals holds in no state that can be reached. Means nothing once the budget
   // has stopped.
-  bool can_hold(const std::vector<LiteralPattern>& literals, const ObjectId* binding);
+  bool can_hold(std::span<const LiteralPattern> literals, const ObjectId* binding);
 
  private:
   enum : std::uint8_t { kPerhaps, kNo };
@@ -34,7 +35,7 @@ class Attainable {
   static constexpr int kMostTried = 256;      // ways to bind the producers of one literal
 
   bool ask(const AtomPattern& atom, bool negative, const ObjectId* binding, std::size_t depth);
-  bool can_hold(const std::vector<LiteralPattern>& literals, const ObjectId* binding, std::size_t depth);
+  bool can_hold(std::span<const LiteralPattern> literals, const ObjectId* binding, std::size_t depth);
   bool produced(std::size_t kind, AtomRef atom, std::size_t depth);
 
   const CompiledDomain& compiled_;

@@ -9,31 +9,32 @@
 #include <vector>
 
 #include "components/core/outcome.h"
+#include "components/planner/arena.h"
+#include "components/planner/chunks.h"
 #include "components/planner/formula.h"
 #include "components/planner/symbols.h"
 
 namespace goalnet::planner {
 
 struct PredicateSchema {
-  std::vector<TypeSet> parameters;
+  Array<TypeSet> parameters;
 };
 
 // A numeric function; only those that give action costs are supported.
 struct FunctionSchema {
-  std::vector<TypeSet> parameters;
+  Array<TypeSet> parameters;
 };
 
 // (increase (total-cost) (distance ?a ?b)): a constant plus the values of functions.
 struct CostExpression {
   std::int64_t constant = 0;
-  std::vector<AtomPattern> functions;  // `predicate` holds the function's number
+  Array<AtomPattern> functions;  // `predicate` holds the function's number
 };
 
 struct ActionSchema {
-  std::string name;
+  std::string_view name;
   std::int32_t parameter_count = 0;
-  std::vector<TypeSet> slots;           // types of the parameters, then of all quantified variables
-  std::vector<std::string> slot_names;  // "?x", for messages
+  Array<TypeSet> slots;  // types of the parameters, then of all quantified variables
   Formula precondition;
   Effect effect;
   CostExpression cost;  // meaningful where the problem minimises total-cost
@@ -43,12 +44,13 @@ struct ActionSchema {
 struct DerivedPredicate {
   PredicateId predicate = 0;
   std::int32_t parameter_count = 0;
-  std::vector<TypeSet> slots;
+  Array<TypeSet> slots;
   Formula body;
 };
 
 struct Domain {
   std::string name;
+  Arena arena;                                 // where what follows lies
   SymbolTable types;                           // 0 is "object"
   std::vector<std::vector<TypeId>> ancestors;  // by type: itself and all above, sorted
   SymbolTable constants;
@@ -58,7 +60,7 @@ struct Domain {
   SymbolTable functions;
   std::vector<FunctionSchema> function_schemas;
   SymbolTable action_names;
-  std::vector<ActionSchema> actions;
+  Chunks<ActionSchema> actions;
   std::vector<DerivedPredicate> derived;
   // By predicate: the layer of a derived predicate that is computed in every state, or one of these; see
   // derived_layers.h.

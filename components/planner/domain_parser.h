@@ -41,7 +41,8 @@ class DomainParser : public Parser {
 
   Domain domain_;
   bool seen_types_ = false, seen_constants_ = false, seen_predicates_ = false, seen_functions_ = false;
-  std::vector<std::pair<PredicateId, Token>> changed_;  // where effects change which predicate
+  Chunks<std::pair<PredicateId, Token>> changed_;  // where effects change which predicate
+  std::vector<AtomPattern> cost_functions_;        // of the action at hand
   std::vector<Token> derived_names_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace goalnet::planner {
 namespace {
@@ -28,7 +30,7 @@ bool maps_to(const LiteralPattern& of_b, const LiteralPattern& of_a, Renaming& n
   return of_b.negative == of_a.negative && maps_to(of_b.atom, of_a.atom, names);
 }
 
-bool contains(const std::vector<LiteralPattern>& of_a, const LiteralPattern& of_b, const Renaming& names) {
+bool contains(std::span<const LiteralPattern> of_a, const LiteralPattern& of_b, const Renaming& names) {
   return std::any_of(of_a.begin(), of_a.end(), [&](const LiteralPattern& a) {
     Renaming trial = names;
     return maps_to(of_b, a, trial);
@@ -41,7 +43,7 @@ bool same_condition(const Condition& of_b, const Condition& of_a, Renaming names
       !of_a.equalities.empty()) {
     return false;
   }
-  const auto same = [&](const std::vector<LiteralPattern>& b, const std::vector<LiteralPattern>& a) {
+  const auto same = [&](std::span<const LiteralPattern> b, std::span<const LiteralPattern> a) {
     return b.size() == a.size() &&
            std::all_of(b.begin(), b.end(), [&](const auto& l) { return contains(a, l, names); });
   };
@@ -82,15 +84,18 @@ bool dominates(const Domain& domain, const CompiledSchema& b, const CompiledSche
         continue;
       }
       // Whatever A's term can be, B must accept.
-      const TypeSet types = names[i]->is_variable()
-                                ? a.slots[static_cast<std::size_t>(names[i]->slot())]
-                                : TypeSet{domain.constant_types[static_cast<std::size_t>(names[i]->value)]};
+      TypeId type = 0;
+      TypeSet types{&type, 1};
+      if (names[i]->is_variable()) {
+        types = a.slots[static_cast<std::size_t>(names[i]->slot())];
+      } else {
+        type = domain.constant_types[static_cast<std::size_t>(names[i]->value)];
+      }
       const bool accepted =
           std::all_of(types.begin(), types.end(), [&](TypeId t) { return domain.is_a(t, b.slots[i]); });
       if (!accepted) return false;
     }
-    const auto known = [&](const std::vector<LiteralPattern>& needs,
-                           const std::vector<LiteralPattern>& given) {
+    const auto known = [&](std::span<const LiteralPattern> needs, std::span<const LiteralPattern> given) {
       return std::all_of(needs.begin(), needs.end(),
                          [&](const auto& l) { return contains(given, l, names); });
     };

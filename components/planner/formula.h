@@ -1,18 +1,20 @@
-// What the parser makes of conditions and effects: plain trees, close to the text.
+// What the parser makes of conditions and effects: plain trees, close to the text, in the arena of the domain
+// or problem. Copies share what is below them, so nothing is changed once it is built.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <vector>
+
+#include "components/planner/arena.h"
 
 namespace goalnet::planner {
 
 using ObjectId = std::int32_t;  // constants of the domain come first, then objects of the problem
 using PredicateId = std::int32_t;
-using TypeId = std::int32_t;          // 0 is "object", the root
-using TypeSet = std::vector<TypeId>;  // "(either a b)": any of them; never empty
+using TypeId = std::int32_t;    // 0 is "object", the root
+using TypeSet = Array<TypeId>;  // "(either a b)": any of them; never empty
 
 // An object, or a variable by its slot. Parameters of an action have the first slots, quantified variables
 // the following ones, so that one array of objects binds them all.
@@ -68,18 +70,18 @@ struct AtomPattern {
 struct Formula {
   enum class Kind : std::uint8_t { kTrue, kFalse, kAtom, kEqual, kNot, kAnd, kOr, kForall, kExists };
   Kind kind = Kind::kTrue;
-  AtomPattern atom;                 // kAtom; kEqual uses its two arguments
-  std::vector<Formula> children;    // kNot, kForall, kExists: one; kAnd, kOr: any number
-  std::vector<std::int32_t> slots;  // kForall, kExists: the variables bound here
+  AtomPattern atom;           // kAtom; kEqual uses its two arguments
+  List<Formula> children;     // kNot, kForall, kExists: one; kAnd, kOr: any number
+  Array<std::int32_t> slots;  // kForall, kExists: the variables bound here
 };
 
 struct Effect {
   enum class Kind : std::uint8_t { kAdd, kDelete, kAnd, kForall, kWhen };
   Kind kind = Kind::kAnd;
-  AtomPattern atom;                 // kAdd, kDelete
-  Formula condition;                // kWhen
-  std::vector<Effect> children;     // kAnd: any number; kForall, kWhen: one
-  std::vector<std::int32_t> slots;  // kForall
+  AtomPattern atom;           // kAdd, kDelete
+  Formula condition;          // kWhen
+  List<Effect> children;      // kAnd: any number; kForall, kWhen: one
+  Array<std::int32_t> slots;  // kForall
 };
 
 }  // namespace goalnet::planner

@@ -26,7 +26,7 @@ void Grounder::restart() {
 }
 
 Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal,
-                                  const std::vector<TypeSet>& goal_slots, Budget& budget, GroundTask& task) {
+                                  std::span<const TypeSet> goal_slots, Budget& budget, GroundTask& task) {
   index_ = &index;
   budget_ = &budget;
   task_ = &task;
@@ -34,19 +34,19 @@ Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal,
   binder_.restart(index, budget);
   attainable_.restart(index, budget);
   binder_.reserve(goal_slots.size());
-  slots_ = &goal_slots;
+  slots_ = goal_slots;
   // The parts of a conjunction one by one, so that they stay literals.
-  const std::vector<Formula> single = {goal};
-  const auto& parts = goal.kind == Formula::Kind::kAnd ? goal.children : single;
-  for (const Formula& part : parts) {
+  const auto add_goal = [&](const Formula& part) {
     const Value value = instantiate(part);
-    if (stopped_) return Result::kStopped;
-    if (value.kind == Value::Kind::kFalse) {
-      task.goal_impossible = true;
-      return Result::kDone;
-    }
+    if (value.kind == Value::Kind::kFalse) task.goal_impossible = true;
     if (value.kind == Value::Kind::kCondition) task.goal.push_back(value.condition);
-  }
+    return !stopped_ && !task.goal_impossible;
+  };
+  const bool possible = goal.kind == Formula::Kind::kAnd
+                            ? std::all_of(goal.children.begin(), goal.children.end(), add_goal)
+                            : add_goal(goal);
+  if (stopped_) return Result::kStopped;
+  if (!possible) return Result::kDone;
   for (const ConditionId condition : task.goal) need(condition);
   do {
     if (!close()) break;
@@ -91,7 +91,7 @@ bool Grounder::close() {
 void Grounder::produce(Literal literal) {
   const PredicateId predicate = task_->atoms.predicate(literal >> 1);
   if (compiled_.domain.recursive(predicate)) return define(literal);
-  const auto& producers =
+  const auto producers =
       compiled_.producers[2 * static_cast<std::size_t>(predicate) + static_cast<std::size_t>(literal & 1)];
   for (const EffectReference& reference : producers) produce(reference, literal);
 }
@@ -100,7 +100,7 @@ void Grounder::produce(const EffectReference& reference, Literal literal) {
   const CompiledSchema& schema = compiled_.schemas[static_cast<std::size_t>(reference.schema)];
   const CompiledEffect& effect = schema.effects[static_cast<std::size_t>(reference.effect)];
   if (effect.dominated) return;
-  slots_ = &schema.slots;
+  slots_ = schema.slots;
   if (!binder_.begin(schema) || !binder_.unify(schema, effect.literal.atom, task_->atoms[literal >> 1]))
     return;
   bind_open(schema, effect, true, [&] {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "components/planner/attainable.h"
@@ -28,8 +29,8 @@ class Grounder {
   enum class Result { kDone, kStopped, kTooLarge };
 
   // `goal` in normal form, its quantified variables of the types `goal_slots`.
-  Result ground(ProblemIndex& index, const Formula& goal, const std::vector<TypeSet>& goal_slots,
-                Budget& budget, GroundTask& task);
+  Result ground(ProblemIndex& index, const Formula& goal, std::span<const TypeSet> goal_slots, Budget& budget,
+                GroundTask& task);
 
  private:
   struct RawEffect {
@@ -68,7 +69,7 @@ class Grounder {
   ProblemIndex* index_ = nullptr;
   Budget* budget_ = nullptr;
   GroundTask* task_ = nullptr;
-  const std::vector<TypeSet>* slots_ = nullptr;  // types of the variables at hand
+  std::span<const TypeSet> slots_;  // types of the variables at hand
   bool stopped_ = false, too_large_ = false;
 
   Binder binder_;  // of the schema at hand

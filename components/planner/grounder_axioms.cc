@@ -26,7 +26,7 @@ void Grounder::define(Literal literal) {
         fits = fits && index_->problem().object_is_a(arguments[i], axiom.slots[i]);
       }
       if (!fits) continue;
-      slots_ = &axiom.slots;
+      slots_ = axiom.slots;
       const Value value = instantiate(axiom.body);
       if (stopped_) return;
       if (value.kind == Value::Kind::kFalse) continue;

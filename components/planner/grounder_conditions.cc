@@ -76,7 +76,7 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
     case Formula::Kind::kAtom:
     case Formula::Kind::kNot: {
       const bool negative = formula.kind == Formula::Kind::kNot;
-      const Formula& inner = negative ? formula.children[0] : formula;
+      const Formula& inner = negative ? formula.children.front() : formula;
       if (inner.kind == Formula::Kind::kEqual) {
         return constant(instantiate(inner).kind != Value::Kind::kTrue);
       }
@@ -107,7 +107,7 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
       const auto recurse = [&](const auto& self, std::size_t i) -> void {
         if (decided || stopped_) return;
         if (i == formula.slots.size()) {
-          const Value value = instantiate(formula.children[0]);
+          const Value value = instantiate(formula.children.front());
           if (value.kind == Value::Kind::kCondition) {
             children.push_back(value.condition);
           } else if ((value.kind == Value::Kind::kTrue) != conjunction) {
@@ -117,7 +117,7 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
         }
         const auto slot = static_cast<std::size_t>(formula.slots[i]);
         const Problem& problem = index_->problem();
-        const TypeSet& types = (*slots_)[slot];
+        const TypeSet& types = slots_[slot];
         for (ObjectId object = 0; object < problem.object_count() && !decided; ++object) {
           if (!problem.object_is_a(object, types)) continue;
           binder_.values()[slot] = object;

@@ -49,7 +49,7 @@ void Grounder::gather_side_effects() {
 void Grounder::gather(const EffectReference& reference, Literal literal) {
   const CompiledSchema& schema = compiled_.schemas[static_cast<std::size_t>(reference.schema)];
   const CompiledEffect& effect = schema.effects[static_cast<std::size_t>(reference.effect)];
-  slots_ = &schema.slots;
+  slots_ = schema.slots;
   if (!binder_.begin(schema) || !binder_.unify(schema, effect.literal.atom, task_->atoms[literal >> 1]))
     return;
   const auto parameters = static_cast<std::size_t>(schema.parameter_count);

@@ -55,8 +55,8 @@ const std::vector<ObjectId>& Interpreter::objects(const TypeSet& types) const {
 // Calls visit() for every way to bind the variables from `index` on; stops and returns false when visit()
 // does.
 template <class Visit>
-bool Interpreter::for_each_binding(const std::vector<std::int32_t>& variables, std::size_t index,
-                                   const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+bool Interpreter::for_each_binding(std::span<const std::int32_t> variables, std::size_t index,
+                                   std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
                                    const Visit& visit) const {
   if (index == variables.size()) return visit();
   const auto slot = static_cast<std::size_t>(variables[index]);
@@ -111,7 +111,7 @@ bool Interpreter::atom_holds(const AtomPattern& atom, const std::vector<ObjectId
   return state.contains(atom.predicate, ground.ids.data(), ground.count);
 }
 
-bool Interpreter::holds(const Formula& formula, const std::vector<TypeSet>& slots,
+bool Interpreter::holds(const Formula& formula, std::span<const TypeSet> slots,
                         std::vector<ObjectId>& binding, const AtomSet& state) const {
   const auto child = [&](const Formula& inner) { return holds(inner, slots, binding, state); };
   switch (formula.kind) {
@@ -125,20 +125,22 @@ bool Interpreter::holds(const Formula& formula, const std::vector<TypeSet>& slot
       return formula.atom.arguments[0].resolve(binding.data()) ==
              formula.atom.arguments[1].resolve(binding.data());
     case Formula::Kind::kNot:
-      return !child(formula.children[0]);
+      return !child(formula.children.front());
     case Formula::Kind::kAnd:
       return std::all_of(formula.children.begin(), formula.children.end(), child);
     case Formula::Kind::kOr:
       return std::any_of(formula.children.begin(), formula.children.end(), child);
     case Formula::Kind::kForall:
-      return for_each_binding(formula.slots, 0, slots, binding, [&] { return child(formula.children[0]); });
+      return for_each_binding(formula.slots, 0, slots, binding,
+                              [&] { return child(formula.children.front()); });
     case Formula::Kind::kExists:
-      return !for_each_binding(formula.slots, 0, slots, binding, [&] { return !child(formula.children[0]); });
+      return !for_each_binding(formula.slots, 0, slots, binding,
+                               [&] { return !child(formula.children.front()); });
   }
   return false;
 }
 
-void Interpreter::collect(const Effect& effect, const std::vector<TypeSet>& slots,
+void Interpreter::collect(const Effect& effect, std::span<const TypeSet> slots,
                           std::vector<ObjectId>& binding, const AtomSet& state,
                           std::vector<AtomChange>* added, std::vector<AtomChange>* deleted) const {
   switch (effect.kind) {
@@ -159,19 +161,19 @@ void Interpreter::collect(const Effect& effect, const std::vector<TypeSet>& slot
       return;
     case Effect::Kind::kWhen:
       if (holds(effect.condition, slots, binding, state)) {
-        collect(effect.children[0], slots, binding, state, added, deleted);
+        collect(effect.children.front(), slots, binding, state, added, deleted);
       }
       return;
     case Effect::Kind::kForall:
       for_each_binding(effect.slots, 0, slots, binding, [&] {
-        collect(effect.children[0], slots, binding, state, added, deleted);
+        collect(effect.children.front(), slots, binding, state, added, deleted);
         return true;
       });
       return;
   }
 }
 
-std::vector<AtomChange> Interpreter::changes(const Effect& effect, const std::vector<TypeSet>& slots,
+std::vector<AtomChange> Interpreter::changes(const Effect& effect, std::span<const TypeSet> slots,
                                              std::vector<ObjectId>& binding, const AtomSet& state) const {
   std::vector<AtomChange> added, deleted;
   collect(effect, slots, binding, state, &added, &deleted);
@@ -188,7 +190,7 @@ std::string Interpreter::text(const AtomPattern& atom, const std::vector<ObjectI
   return result + ")";
 }
 
-std::string Interpreter::why_not(const Formula& formula, const std::vector<TypeSet>& slots,
+std::string Interpreter::why_not(const Formula& formula, std::span<const TypeSet> slots,
                                  std::vector<ObjectId>& binding, const AtomSet& state) const {
   const auto name = [&](Term term) { return problem_.object_name(term.resolve(binding.data())); };
   switch (formula.kind) {
@@ -201,7 +203,7 @@ std::string Interpreter::why_not(const Formula& formula, const std::vector<TypeS
     case Formula::Kind::kEqual:
       return name(formula.atom.arguments[0]) + " is not " + name(formula.atom.arguments[1]);
     case Formula::Kind::kNot: {
-      const Formula& inner = formula.children[0];
+      const Formula& inner = formula.children.front();
       if (inner.kind == Formula::Kind::kAtom) return text(inner.atom, binding) + " holds";
       if (inner.kind == Formula::Kind::kEqual)
         return name(inner.atom.arguments[0]) + " may not be used with itself";
@@ -226,8 +228,8 @@ std::string Interpreter::why_not(const Formula& formula, const std::vector<TypeS
     case Formula::Kind::kForall: {
       std::string result;
       for_each_binding(formula.slots, 0, slots, binding, [&] {
-        if (holds(formula.children[0], slots, binding, state)) return true;
-        result = why_not(formula.children[0], slots, binding, state);
+        if (holds(formula.children.front(), slots, binding, state)) return true;
+        result = why_not(formula.children.front(), slots, binding, state);
         return false;
       });
       return result;
@@ -247,7 +249,7 @@ Expected<const ActionSchema*> Interpreter::bind(const Action& action, std::vecto
   }
   const ActionSchema& schema = domain.actions[static_cast<std::size_t>(index)];
   if (static_cast<std::int32_t>(action.arguments.size()) != schema.parameter_count) {
-    return fail(Outcome::kInvalidRequest, "action " + schema.name + " takes " +
+    return fail(Outcome::kInvalidRequest, "action " + std::string(schema.name) + " takes " +
                                               std::to_string(schema.parameter_count) + " arguments, not " +
                                               std::to_string(action.arguments.size()) + ": (" +
                                               to_string(action) + ")");

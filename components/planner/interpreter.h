@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,17 +47,17 @@ class Interpreter {
   void complete(AtomSet& state) const;
 
   // `binding` gives the parameters and has room for all slots; `slots` are their types.
-  bool holds(const Formula& formula, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+  bool holds(const Formula& formula, std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
              const AtomSet& state) const;
 
   // Everything the effect does to `state`, evaluated on `state`: first deletions, then additions.
-  std::vector<AtomChange> changes(const Effect& effect, const std::vector<TypeSet>& slots,
+  std::vector<AtomChange> changes(const Effect& effect, std::span<const TypeSet> slots,
                                   std::vector<ObjectId>& binding, const AtomSet& state) const;
 
   // The first part of `formula` that fails, as text: "(state Microwave DoorIsOpen) does not hold". For
   // messages.
-  std::string why_not(const Formula& formula, const std::vector<TypeSet>& slots,
-                      std::vector<ObjectId>& binding, const AtomSet& state) const;
+  std::string why_not(const Formula& formula, std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
+                      const AtomSet& state) const;
 
   // "(On Mug_1 Sink)"; unbound variables are shown as "?".
   std::string text(const AtomPattern& atom, const std::vector<ObjectId>& binding) const;
@@ -70,11 +71,11 @@ class Interpreter {
 
  private:
   template <class Visit>
-  bool for_each_binding(const std::vector<std::int32_t>& variables, std::size_t index,
-                        const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+  bool for_each_binding(std::span<const std::int32_t> variables, std::size_t index,
+                        std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
                         const Visit& visit) const;
   bool atom_holds(const AtomPattern& atom, const std::vector<ObjectId>& binding, const AtomSet& state) const;
-  void collect(const Effect& effect, const std::vector<TypeSet>& slots, std::vector<ObjectId>& binding,
+  void collect(const Effect& effect, std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
                const AtomSet& state, std::vector<AtomChange>* added, std::vector<AtomChange>* deleted) const;
 
   const std::vector<ObjectId>& objects(const TypeSet& types) const;

@@ -1,6 +1,7 @@
 #include "components/planner/normal_form.h"
 
 #include <algorithm>
+#include <array>
 
 namespace goalnet::planner {
 namespace {
@@ -11,14 +12,14 @@ Formula constant(bool value) {
   return formula;
 }
 
-Formula negation(Formula inner) {
+}  // namespace
+
+Formula Normaliser::negation(const Formula& inner) const {
   Formula formula;
   formula.kind = Formula::Kind::kNot;
-  formula.children.push_back(std::move(inner));
+  formula.children.push_back(arena_, inner);
   return formula;
 }
-
-}  // namespace
 
 Term Normaliser::substitute(Term term) const {
   if (!term.is_variable()) return term;
@@ -34,35 +35,30 @@ AtomPattern Normaliser::substitute(const AtomPattern& pattern) const {
   return result;
 }
 
-Formula Normaliser::junction(bool conjunction, std::vector<Formula> children) const {
+Formula Normaliser::junction(bool conjunction, const List<Formula>& children) const {
   const auto kind = conjunction ? Formula::Kind::kAnd : Formula::Kind::kOr;
   const auto neutral = conjunction ? Formula::Kind::kTrue : Formula::Kind::kFalse;
   const auto absorbing = conjunction ? Formula::Kind::kFalse : Formula::Kind::kTrue;
-  const bool nested =
-      std::any_of(children.begin(), children.end(), [&](const Formula& c) { return c.kind == kind; });
   if (std::any_of(children.begin(), children.end(), [&](const Formula& c) { return c.kind == absorbing; })) {
     return constant(!conjunction);
   }
-  std::erase_if(children, [&](const Formula& c) { return c.kind == neutral; });
   Formula result;
   result.kind = kind;
-  if (!nested) {
-    result.children = std::move(children);
+  const bool as_it_is = std::none_of(children.begin(), children.end(),
+                                     [&](const Formula& c) { return c.kind == kind || c.kind == neutral; });
+  if (as_it_is) {
+    result.children = children;
   } else {
-    for (Formula& child : children) {
+    for (const Formula& child : children) {
       if (child.kind == kind) {
-        for (Formula& inner : child.children) result.children.push_back(std::move(inner));
-      } else {
-        result.children.push_back(std::move(child));
+        for (const Formula& inner : child.children) result.children.push_back(arena_, inner);
+      } else if (child.kind != neutral) {
+        result.children.push_back(arena_, child);
       }
     }
   }
   if (result.children.empty()) return constant(conjunction);
-  if (result.children.size() == 1) {
-    Formula only = std::move(result.children[0]);
-    return only;
-  }
-  return result;
+  return result.children.size() == 1 ? result.children.front() : result;
 }
 
 Formula Normaliser::equality(const Formula& formula, bool negated) const {
@@ -78,17 +74,17 @@ Formula Normaliser::equality(const Formula& formula, bool negated) const {
         (right.is_variable() && right.slot() == exclusion.slot && left == Term::object(exclusion.object));
     if (match) return constant(negated);
   }
-  return negated ? negation(std::move(result)) : result;
+  return negated ? negation(result) : result;
 }
 
 // A use of a derived predicate becomes the disjunction of its definitions' bodies.
 Formula Normaliser::inlined(const AtomPattern& use, bool negated) const {
-  std::vector<Formula> bodies;
+  List<Formula> bodies;
   for (const DerivedPredicate& definition : domain_.derived) {
     if (definition.predicate != use.predicate) continue;
-    Normaliser inner(domain_, slots_, stop_);
+    Normaliser inner(domain_, slots_, arena_, stop_);
     const auto parameters = static_cast<std::size_t>(definition.parameter_count);
-    std::vector<Formula> parts;
+    List<Formula> parts;
     for (std::size_t i = 0; i < definition.slots.size(); ++i) {
       const auto slot = static_cast<std::int32_t>(i);
       if (i >= parameters) {  // a quantified variable of the body: a fresh one here
@@ -109,15 +105,15 @@ Formula Normaliser::inlined(const AtomPattern& use, bool negated) const {
       same.atom.arguments = {Term::variable(static_cast<std::int32_t>(slots_.size())), use.arguments[i]};
       Formula exists;
       exists.kind = negated ? Formula::Kind::kForall : Formula::Kind::kExists;
-      exists.slots = {static_cast<std::int32_t>(slots_.size())};
+      exists.slots = arena_.copy(std::array{static_cast<std::int32_t>(slots_.size())});
       slots_.push_back(definition.slots[i]);
-      exists.children.push_back(negated ? negation(std::move(same)) : std::move(same));
-      parts.push_back(std::move(exists));
+      exists.children.push_back(arena_, negated ? negation(same) : same);
+      parts.push_back(arena_, exists);
     }
-    parts.push_back(inner.normalise(definition.body, negated));
-    bodies.push_back(junction(!negated, std::move(parts)));
+    parts.push_back(arena_, inner.normalise(definition.body, negated));
+    bodies.push_back(arena_, junction(!negated, parts));
   }
-  return junction(negated, std::move(bodies));
+  return junction(negated, bodies);
 }
 
 Formula Normaliser::atom(const Formula& formula, bool negated) const {
@@ -126,7 +122,7 @@ Formula Normaliser::atom(const Formula& formula, bool negated) const {
   result.atom = substitute(formula.atom);
   const bool derived = domain_.is_derived(result.atom.predicate) && !domain_.recursive(result.atom.predicate);
   if (derived) return inlined(result.atom, negated);
-  return negated ? negation(std::move(result)) : result;
+  return negated ? negation(result) : result;
 }
 
 Formula Normaliser::normalise(const Formula& formula, bool negated) const {
@@ -141,30 +137,29 @@ Formula Normaliser::normalise(const Formula& formula, bool negated) const {
     case Formula::Kind::kEqual:
       return equality(formula, negated);
     case Formula::Kind::kNot:
-      return normalise(formula.children[0], !negated);
+      return normalise(formula.children.front(), !negated);
     case Formula::Kind::kAnd:
     case Formula::Kind::kOr: {
       const bool conjunction = (formula.kind == Formula::Kind::kAnd) != negated;
       const auto decides = conjunction ? Formula::Kind::kFalse : Formula::Kind::kTrue;
-      std::vector<Formula> children;
-      children.reserve(formula.children.size());
+      List<Formula> children;
       for (const Formula& child : formula.children) {
-        children.push_back(normalise(child, negated));
-        if (children.back().kind == decides) return constant(!conjunction);
+        if (children.push_back(arena_, normalise(child, negated)).kind == decides)
+          return constant(!conjunction);
       }
-      return junction(conjunction, std::move(children));
+      return junction(conjunction, children);
     }
     case Formula::Kind::kForall:
     case Formula::Kind::kExists: {
       Formula result;
       result.kind = (formula.kind == Formula::Kind::kForall) != negated ? Formula::Kind::kForall
                                                                         : Formula::Kind::kExists;
-      for (const std::int32_t slot : formula.slots) {
-        result.slots.push_back(substitute(Term::variable(slot)).slot());  // renamed where inlined
-      }
-      result.children.push_back(normalise(formula.children[0], negated));
+      result.slots = arena_.copy(formula.slots);
+      for (std::int32_t& slot : result.slots)
+        slot = substitute(Term::variable(slot)).slot();  // where inlined
+      result.children.push_back(arena_, normalise(formula.children.front(), negated));
       // Over no objects the quantifier still decides, so only "forall true" and "exists false" fold.
-      const auto inner = result.children[0].kind;
+      const auto inner = result.children.front().kind;
       if (inner == Formula::Kind::kTrue && result.kind == Formula::Kind::kForall) return constant(true);
       if (inner == Formula::Kind::kFalse && result.kind == Formula::Kind::kExists) return constant(false);
       return result;
@@ -173,29 +168,44 @@ Formula Normaliser::normalise(const Formula& formula, bool negated) const {
   return formula;
 }
 
-std::vector<Formula> alternatives(const Formula& formula, std::size_t most) {
+std::vector<Formula> alternatives(const Formula& formula, std::size_t most, Arena& arena) {
   if (formula.kind == Formula::Kind::kOr) {
     std::vector<Formula> result;
     for (const Formula& child : formula.children) {
-      for (Formula& inner : alternatives(child, most)) result.push_back(std::move(inner));
+      for (const Formula& inner : alternatives(child, most, arena)) result.push_back(inner);
+      if (result.size() > most) return {formula};
     }
-    if (result.size() <= most) return result;
+    return result;
+  }
+  const auto has_choice = [](const Formula& f) {
+    return f.kind == Formula::Kind::kOr || f.kind == Formula::Kind::kAnd;
+  };
+  if (formula.kind != Formula::Kind::kAnd ||
+      std::none_of(formula.children.begin(), formula.children.end(), has_choice)) {
     return {formula};
   }
-  if (formula.kind != Formula::Kind::kAnd) return {formula};
-  std::vector<Formula> result(1);
-  result[0].kind = Formula::Kind::kAnd;
+  std::vector<List<Formula>> products(1);
   for (const Formula& child : formula.children) {
-    std::vector<Formula> options = alternatives(child, most);
-    if (options.size() * result.size() > most) options = {child};
-    std::vector<Formula> product;
-    for (const Formula& left : result) {
+    std::vector<Formula> options = alternatives(child, most, arena);
+    if (options.size() * products.size() > most) options = {child};
+    if (options.size() == 1) {
+      for (List<Formula>& product : products) product.push_back(arena, options[0]);
+      continue;
+    }
+    std::vector<List<Formula>> larger;
+    for (const List<Formula>& product : products) {
       for (const Formula& option : options) {
-        product.push_back(left);
-        product.back().children.push_back(option);
+        List<Formula>& copy = larger.emplace_back();
+        for (const Formula& part : product) copy.push_back(arena, part);
+        copy.push_back(arena, option);
       }
     }
-    result = std::move(product);
+    products = std::move(larger);
+  }
+  std::vector<Formula> result;
+  for (const List<Formula>& product : products) {
+    result.emplace_back().kind = Formula::Kind::kAnd;
+    result.back().children = product;
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "components/planner/atom_table.h"
 
@@ -11,7 +12,7 @@ bool simple_goal(const Domain& domain, const Formula& goal, std::vector<GoalLite
   literals->clear();
   const auto add = [&](const Formula& part) {
     const bool negative = part.kind == Formula::Kind::kNot;
-    const Formula& atom = negative ? part.children[0] : part;
+    const Formula& atom = negative ? part.children.front() : part;
     if (atom.kind != Formula::Kind::kAtom) return false;
     if (domain.is_derived(atom.atom.predicate)) return false;
     literals->push_back({&atom.atom, negative});
@@ -73,22 +74,22 @@ std::optional<OneAction::Found> OneAction::find(ProblemIndex& index, const std::
   goal_ = &goal;
   budget_ = &budget;
   // The action must produce every literal that does not hold; start from the one with the fewest producers.
-  const std::vector<EffectReference>* producers = nullptr;
+  std::span<const EffectReference> producers;
   const GoalLiteral* wanted = nullptr;
   for (const GoalLiteral& literal : goal) {
     if (holds(literal)) continue;
-    const auto& candidates =
+    const auto candidates =
         compiled_
             .producers[2 * static_cast<std::size_t>(literal.atom->predicate) + (literal.negative ? 1 : 0)];
-    if (producers != nullptr && candidates.size() >= producers->size()) continue;
-    producers = &candidates;
+    if (wanted != nullptr && candidates.size() >= producers.size()) continue;
+    producers = candidates;
     wanted = &literal;
   }
   if (wanted == nullptr) return std::nullopt;
   std::array<ObjectId, 16> arguments{};
   for (std::size_t i = 0; i < wanted->atom->arguments.size(); ++i)
     arguments[i] = wanted->atom->arguments[i].value;
-  for (const EffectReference& reference : *producers) {
+  for (const EffectReference& reference : producers) {
     const CompiledSchema& schema = compiled_.schemas[static_cast<std::size_t>(reference.schema)];
     const CompiledEffect& effect = schema.effects[static_cast<std::size_t>(reference.effect)];
     std::fill_n(binding_.begin(), schema.slots.size(), -1);
@@ -210,7 +211,7 @@ bool OneAction::formula_holds(const CompiledSchema& schema, const Formula& formu
       return formula.atom.arguments[0].resolve(binding_.data()) ==
              formula.atom.arguments[1].resolve(binding_.data());
     case Formula::Kind::kNot:
-      return !child(formula.children[0]);
+      return !child(formula.children.front());
     case Formula::Kind::kAnd:
       return std::all_of(formula.children.begin(), formula.children.end(), child);
     case Formula::Kind::kOr:
@@ -219,7 +220,7 @@ bool OneAction::formula_holds(const CompiledSchema& schema, const Formula& formu
     case Formula::Kind::kExists: {
       const bool universal = formula.kind == Formula::Kind::kForall;
       const auto each = [&](const auto& self, std::size_t i) -> bool {
-        if (i == formula.slots.size()) return child(formula.children[0]);
+        if (i == formula.slots.size()) return child(formula.children.front());
         const auto slot = static_cast<std::size_t>(formula.slots[i]);
         bool result = universal;
         for (const ObjectId object : index_->objects(schema.slot_sets[slot])) {

@@ -12,14 +12,15 @@ bool DomainParser::action() {
     return fail_at(name.offset, "action " + quoted(name) + " is declared twice");
   }
   ActionSchema schema;
-  schema.name = std::string(name.text);
-  Scope scope{&schema.slots, &schema.slot_names, {}};
+  schema.name = arena_.copy_text(name.text);
+  std::vector<TypeSet> types;
+  Scope scope{&types, {}};
   bool parameters = false, precondition = false, effect = false;
   while (!failed() && peek().kind == Token::Kind::kWord) {
     const Token word = next();
     if (is(word, ":parameters")) {
       if (precondition || effect) return fail_at(word.offset, ":parameters must come first");
-      std::vector<std::int32_t> slots;
+      Array<std::int32_t> slots;
       if (!once(&parameters, word) || !quantified(domain_, scope, &slots)) return false;
       schema.parameter_count = static_cast<std::int32_t>(slots.size());
     } else if (is(word, ":precondition")) {
@@ -31,9 +32,12 @@ bool DomainParser::action() {
       return fail_at(word.offset, "expected :parameters, :precondition or :effect, found " + quoted(word));
     }
   }
-  if (!expect_close(("action " + schema.name).c_str())) return false;
+  if (!expect_close("the action")) return false;
+  schema.slots = arena_.copy(types);
+  schema.cost.functions = arena_.copy(cost_functions_);
+  cost_functions_.clear();
   domain_.action_names.add(schema.name);
-  domain_.actions.push_back(std::move(schema));
+  domain_.actions.push_back(schema);
   return true;
 }
 
@@ -48,8 +52,8 @@ bool DomainParser::read_effect(Scope& scope, ActionSchema& schema, int depth, bo
   if (!expect_word("an effect", &word)) return false;
   if (is(word, "and")) {
     while (!failed() && peek().kind != Token::Kind::kClose) {
-      effect->children.emplace_back();
-      if (!read_effect(scope, schema, depth + 1, conditional, &effect->children.back())) return false;
+      Effect& child = effect->children.push_back(arena_, {});
+      if (!read_effect(scope, schema, depth + 1, conditional, &child)) return false;
     }
     return expect_close("'and'");
   }
@@ -57,16 +61,15 @@ bool DomainParser::read_effect(Scope& scope, ActionSchema& schema, int depth, bo
     effect->kind = Effect::Kind::kForall;
     const std::size_t outer = scope.visible.size();
     if (!quantified(domain_, scope, &effect->slots)) return false;
-    effect->children.resize(1);
-    const bool good = read_effect(scope, schema, depth + 1, true, &effect->children[0]);
+    const bool good = read_effect(scope, schema, depth + 1, true, &effect->children.push_back(arena_, {}));
     scope.visible.resize(outer);
     return good && expect_close("'forall'");
   }
   if (is(word, "when")) {
     effect->kind = Effect::Kind::kWhen;
-    effect->children.resize(1);
     return formula(domain_, nullptr, scope, depth + 1, &effect->condition) &&
-           read_effect(scope, schema, depth + 1, true, &effect->children[0]) && expect_close("'when'");
+           read_effect(scope, schema, depth + 1, true, &effect->children.push_back(arena_, {})) &&
+           expect_close("'when'");
   }
   if (is(word, "increase")) return increase(scope, schema, word, conditional);
   for (const char* other : {"assign", "decrease", "scale-up", "scale-down"}) {
@@ -117,7 +120,7 @@ bool DomainParser::increase(Scope& scope, ActionSchema& schema, const Token& wor
   }
   const auto& parameters = domain_.function_schemas[static_cast<std::size_t>(cost.predicate)].parameters;
   if (!atom_arguments(domain_, nullptr, scope, name, parameters, &cost.arguments)) return false;
-  schema.cost.functions.push_back(std::move(cost));
+  cost_functions_.push_back(cost);
   return expect_close("'increase'");
 }
 

@@ -13,7 +13,8 @@ constexpr std::size_t kMostDerived = 4096;
 
 bool DomainParser::derived() {
   DerivedPredicate definition;
-  Scope scope{&definition.slots, nullptr, {}};
+  std::vector<TypeSet> types;
+  Scope scope{&types, {}};
   Token name;
   TypedNames parameters;
   if (!expect_open("a predicate") || !expect_word("a predicate", &name) ||
@@ -21,22 +22,23 @@ bool DomainParser::derived() {
       !typed_list(domain_, true, "a variable", &parameters) || !expect_close("the predicate")) {
     return false;
   }
-  const auto& schema = domain_.predicate_schemas[static_cast<std::size_t>(definition.predicate)].parameters;
+  const auto schema = domain_.predicate_schemas[static_cast<std::size_t>(definition.predicate)].parameters;
   if (schema.size() != parameters.size()) {
     return fail_at(name.offset, quoted(name) + " takes " + std::to_string(schema.size()) +
                                     " arguments, not " + std::to_string(parameters.size()));
   }
-  for (TypedName& parameter : parameters) {
-    scope.visible.emplace_back(parameter.name, static_cast<std::int32_t>(definition.slots.size()));
-    definition.slots.push_back(std::move(parameter.types));
+  for (const TypedName& parameter : parameters) {
+    scope.visible.emplace_back(parameter.name, static_cast<std::int32_t>(types.size()));
+    types.push_back(parameter.types);
   }
   definition.parameter_count = static_cast<std::int32_t>(parameters.size());
   if (!formula(domain_, nullptr, scope, 0, &definition.body)) return false;
+  definition.slots = arena_.copy(types);
   if (domain_.derived.size() == kMostDerived) {
     return fail_at(name.offset,
                    "more than " + std::to_string(kMostDerived) + " definitions of derived predicates");
   }
-  domain_.derived.push_back(std::move(definition));
+  domain_.derived.push_back(definition);
   derived_names_.push_back(name);
   return expect_close(":derived");
 }

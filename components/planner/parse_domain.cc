@@ -8,6 +8,7 @@ namespace goalnet::planner {
 Expected<Domain> DomainParser::parse() {
   if (!failed()) read();
   if (failed()) return tl::unexpected(error());
+  domain_.arena = std::move(arena_);
   return std::move(domain_);
 }
 
@@ -80,7 +81,6 @@ bool DomainParser::constants(const Token& section_word) {
   if (!once(&seen_constants_, section_word)) return false;
   TypedNames names;
   if (!typed_list(domain_, false, "a constant", &names) || !expect_close(":constants")) return false;
-  domain_.constants.reserve(names.size());
   for (const TypedName& entry : names) {
     if (stop_asked()) return false;
     if (domain_.constants.find(entry.name) != SymbolTable::kNone) {
@@ -109,8 +109,9 @@ bool DomainParser::signature(const std::string& kind, SymbolTable& names, std::v
   }
   if (parameters.size() > TermList::kMost) return fail_at(name.offset, what + " with more than 16 arguments");
   names.add(name.text);
-  schemas.emplace_back();
-  for (TypedName& p : parameters) schemas.back().parameters.push_back(std::move(p.types));
+  std::vector<TypeSet> types;
+  for (const TypedName& p : parameters) types.push_back(p.types);
+  schemas.push_back({arena_.copy(types)});
   return true;
 }
 
@@ -147,7 +148,7 @@ Expected<Domain> parse_domain(std::string_view text, std::string_view filename, 
 Expected<Domain> load_domain(const std::string& path, const std::stop_token& stop) {
   const auto text = read_text_file(path, stop);
   if (!text) return tl::unexpected(text.error());
-  return parse_domain(*text, path, stop);
+  return parse_domain(text->text, path, stop);
 }
 
 }  // namespace goalnet::planner

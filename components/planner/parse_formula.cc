@@ -1,4 +1,6 @@
 // Conditions: terms, atoms, quantifiers.
+#include <array>
+
 #include "components/planner/parser.h"
 
 namespace goalnet::planner {
@@ -52,7 +54,7 @@ bool Parser::term(const Domain& domain, const Problem* problem, const Scope& sco
 }
 
 bool Parser::atom_arguments(const Domain& domain, const Problem* problem, const Scope& scope,
-                            const Token& name, const std::vector<TypeSet>& schema, TermList* arguments) {
+                            const Token& name, std::span<const TypeSet> schema, TermList* arguments) {
   bool too_many = false;
   while (!failed() && peek().kind != Token::Kind::kClose) {
     Term argument;
@@ -64,21 +66,21 @@ bool Parser::atom_arguments(const Domain& domain, const Problem* problem, const 
       break;
     }
     {
-      TypeSet object_type;
-      const TypeSet* types = nullptr;
+      TypeId object_type = 0;
+      TypeSet types;
       if (argument.is_variable()) {
-        types = &(*scope.slots)[static_cast<std::size_t>(argument.slot())];
+        types = (*scope.slots)[static_cast<std::size_t>(argument.slot())];
       } else {
-        object_type = {problem != nullptr ? problem->object_type(argument.value)
-                                          : domain.constant_types[static_cast<std::size_t>(argument.value)]};
-        types = &object_type;
+        object_type = problem != nullptr ? problem->object_type(argument.value)
+                                         : domain.constant_types[static_cast<std::size_t>(argument.value)];
+        types = {&object_type, 1};
       }
-      const bool fits = argument.is_variable() ? compatible(domain, *types, schema[index])
-                                               : domain.is_a(types->front(), schema[index]);
+      const bool fits = argument.is_variable() ? compatible(domain, types, schema[index])
+                                               : domain.is_a(object_type, schema[index]);
       if (!fits) {
         return fail_at(offset, "argument " + std::to_string(index + 1) + " of " + quoted(name) +
                                    " must be a " + names_of(domain, schema[index]) + ", not a " +
-                                   names_of(domain, *types));
+                                   names_of(domain, types));
       }
     }
     arguments->push_back(argument);
@@ -92,25 +94,26 @@ bool Parser::atom_arguments(const Domain& domain, const Problem* problem, const 
   return expect_close("the arguments");
 }
 
-bool Parser::quantified(const Domain& domain, Scope& scope, std::vector<std::int32_t>* slots) {
+bool Parser::quantified(const Domain& domain, Scope& scope, Array<std::int32_t>* slots) {
   TypedNames variables;
   if (!expect_open("the list of variables") || !typed_list(domain, true, "a variable", &variables) ||
       !expect_close("the list of variables")) {
     return false;
   }
-  for (TypedName& variable : variables) {
-    for (std::size_t i = scope.visible.size() - slots->size(); i < scope.visible.size(); ++i) {
+  std::vector<std::int32_t> bound;
+  for (const TypedName& variable : variables) {
+    for (std::size_t i = scope.visible.size() - bound.size(); i < scope.visible.size(); ++i) {
       if (equal_ignoring_case(scope.visible[i].first, variable.name)) {
         return fail_at(variable.offset, "variable '" + std::string(variable.name) + "' is listed twice");
       }
     }
     const auto slot = static_cast<std::int32_t>(scope.slots->size());
     if (slot >= 64) return fail_at(variable.offset, "more than 64 variables in one action");
-    scope.slots->push_back(std::move(variable.types));
-    if (scope.slot_names != nullptr) scope.slot_names->emplace_back(variable.name);
+    scope.slots->push_back(variable.types);
     scope.visible.emplace_back(variable.name, slot);
-    slots->push_back(slot);
+    bound.push_back(slot);
   }
+  *slots = arena_.copy(bound);
   return true;
 }
 
@@ -127,31 +130,29 @@ bool Parser::formula(const Domain& domain, const Problem* problem, Scope& scope,
   if (conjunction || is(word, "or")) {
     result->kind = conjunction ? Formula::Kind::kAnd : Formula::Kind::kOr;
     while (!failed() && peek().kind != Token::Kind::kClose) {
-      result->children.emplace_back();
-      if (!formula(domain, problem, scope, depth + 1, &result->children.back())) return false;
+      if (!formula(domain, problem, scope, depth + 1, &result->children.push_back(arena_, {}))) return false;
     }
     if (result->children.empty()) result->kind = conjunction ? Formula::Kind::kTrue : Formula::Kind::kFalse;
     return expect_close(conjunction ? "'and'" : "'or'");
   }
   if (is(word, "not")) {
     result->kind = Formula::Kind::kNot;
-    result->children.resize(1);
-    return formula(domain, problem, scope, depth + 1, &result->children[0]) && expect_close("'not'");
+    return formula(domain, problem, scope, depth + 1, &result->children.push_back(arena_, {})) &&
+           expect_close("'not'");
   }
   if (is(word, "imply")) {  // (imply a b) is (or (not a) b)
     result->kind = Formula::Kind::kOr;
-    result->children.resize(2);
-    result->children[0].kind = Formula::Kind::kNot;
-    result->children[0].children.resize(1);
-    return formula(domain, problem, scope, depth + 1, &result->children[0].children[0]) &&
-           formula(domain, problem, scope, depth + 1, &result->children[1]) && expect_close("'imply'");
+    Formula& opposite = result->children.push_back(arena_, {});
+    opposite.kind = Formula::Kind::kNot;
+    return formula(domain, problem, scope, depth + 1, &opposite.children.push_back(arena_, {})) &&
+           formula(domain, problem, scope, depth + 1, &result->children.push_back(arena_, {})) &&
+           expect_close("'imply'");
   }
   if (is(word, "forall") || is(word, "exists")) {
     result->kind = is(word, "forall") ? Formula::Kind::kForall : Formula::Kind::kExists;
     const std::size_t outer = scope.visible.size();
     if (!quantified(domain, scope, &result->slots)) return false;
-    result->children.resize(1);
-    const bool good = formula(domain, problem, scope, depth + 1, &result->children[0]);
+    const bool good = formula(domain, problem, scope, depth + 1, &result->children.push_back(arena_, {}));
     scope.visible.resize(outer);
     return good && expect_close("the quantified condition");
   }
@@ -164,7 +165,9 @@ bool Parser::formula(const Domain& domain, const Problem* problem, Scope& scope,
       return fail_at(peek().offset, "comparisons of numbers (:numeric-fluents) are not supported");
     }
     result->kind = Formula::Kind::kEqual;
-    return atom_arguments(domain, problem, scope, word, {{0}, {0}}, &result->atom.arguments);
+    TypeId object = 0;
+    const std::array<TypeSet, 2> two{TypeSet{&object, 1}, TypeSet{&object, 1}};
+    return atom_arguments(domain, problem, scope, word, two, &result->atom.arguments);
   }
   result->kind = Formula::Kind::kAtom;
   if (!find_predicate(domain, word, &result->atom.predicate)) return false;

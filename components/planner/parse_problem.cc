@@ -16,6 +16,7 @@ class ProblemParser : public Parser {
   Expected<Problem> parse() {
     if (!failed()) read();
     if (failed()) return tl::unexpected(error());
+    problem_.arena() = std::move(arena_);
     return std::move(problem_);
   }
 
@@ -41,7 +42,7 @@ class ProblemParser : public Parser {
       } else if (is(word, ":init")) {
         good = once(&seen_init, word) && init();
       } else if (is(word, ":goal")) {
-        Scope scope{&problem_.goal_slots, nullptr, {}};
+        Scope scope{&problem_.goal_slots, {}};
         good = once(&seen_goal, word) && formula(domain_, &problem_, scope, 0, &problem_.goal) &&
                expect_close(":goal");
       } else if (is(word, ":metric")) {
@@ -82,7 +83,6 @@ class ProblemParser : public Parser {
   bool objects() {
     TypedNames names;
     if (!typed_list(domain_, false, "an object", &names) || !expect_close(":objects")) return false;
-    problem_.reserve_objects(names.size());
     for (const TypedName& entry : names) {
       if (stop_asked()) return false;
       if (entry.types.size() > 1)
@@ -116,7 +116,7 @@ class ProblemParser : public Parser {
         return fail_at(name.offset, "timed facts (:timed-initial-literals) are not supported");
       }
       PredicateId predicate = 0;
-      const Scope nothing{&problem_.goal_slots, nullptr, {}};
+      const Scope nothing{&problem_.goal_slots, {}};
       arguments_.clear();
       if (!find_predicate(domain_, name, &predicate) ||
           !atom_arguments(domain_, &problem_, nothing, name,
@@ -147,7 +147,7 @@ class ProblemParser : public Parser {
                                       did_you_mean(name.text, domain_.functions.first_names()));
     }
     arguments_.clear();
-    const Scope nothing{&problem_.goal_slots, nullptr, {}};
+    const Scope nothing{&problem_.goal_slots, {}};
     if (!atom_arguments(domain_, &problem_, nothing, name,
                         domain_.function_schemas[static_cast<std::size_t>(function)].parameters,
                         &arguments_) ||
@@ -213,7 +213,7 @@ Expected<Problem> parse_problem(std::string_view text, std::string_view filename
 Expected<Problem> load_problem(const std::string& path, const Domain& domain, const std::stop_token& stop) {
   const auto text = read_text_file(path, stop);
   if (!text) return tl::unexpected(text.error());
-  return parse_problem(*text, path, domain, stop);
+  return parse_problem(text->text, path, domain, stop);
 }
 
 }  // namespace goalnet::planner

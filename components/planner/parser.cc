@@ -1,5 +1,7 @@
 #include "components/planner/parser.h"
 
+#include <array>
+
 namespace goalnet::planner {
 namespace {
 
@@ -146,7 +148,7 @@ bool Parser::typed_list(const Domain& domain, bool variables, const char* what, 
       continue;
     }
     if (untyped == result->size()) return fail_at(word.offset, "'-' follows no name");
-    TypeSet types;
+    std::vector<TypeId> types;
     if (peek().kind == Token::Kind::kOpen) {
       next();
       if (!expect_word("'either'", &word)) return false;
@@ -164,9 +166,12 @@ bool Parser::typed_list(const Domain& domain, bool variables, const char* what, 
       if (!type_name(domain, &type)) return false;
       types.push_back(type);
     }
-    for (; untyped < result->size() && !stop_asked(); ++untyped) (*result)[untyped].types = types;
+    const TypeSet shared = arena_.copy(types);
+    for (; untyped < result->size() && !stop_asked(); ++untyped) (*result)[untyped].types = shared;
   }
-  for (; untyped < result->size() && !stop_asked(); ++untyped) (*result)[untyped].types = {0};
+  if (untyped == result->size()) return !failed();
+  const TypeSet anything = arena_.copy(std::array<TypeId, 1>{0});
+  for (; untyped < result->size() && !stop_asked(); ++untyped) (*result)[untyped].types = anything;
   return !failed();
 }
 

@@ -3,8 +3,8 @@
 // one check each. Internal to the planner.
 #pragma once
 
-#include <deque>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -24,12 +24,11 @@ struct TypedName {
   std::size_t offset = 0;
   TypeSet types;
 };
-using TypedNames = std::deque<TypedName>;  // grows without moving what is there
+using TypedNames = Chunks<TypedName>;
 
 // The variables visible at one place of a formula, and where their types are collected.
 struct Scope {
   std::vector<TypeSet>* slots = nullptr;
-  std::vector<std::string>* slot_names = nullptr;                  // may be null
   std::vector<std::pair<std::string_view, std::int32_t>> visible;  // innermost last
 };
 
@@ -72,11 +71,11 @@ class Parser {
   bool formula(const Domain& domain, const Problem* problem, Scope& scope, int depth, Formula* result);
   // After "(" NAME has been read: the arguments up to ")". The schema is checked.
   bool atom_arguments(const Domain& domain, const Problem* problem, const Scope& scope, const Token& name,
-                      const std::vector<TypeSet>& schema, TermList* arguments);
+                      std::span<const TypeSet> schema, TermList* arguments);
   bool term(const Domain& domain, const Problem* problem, const Scope& scope, Term* result,
             std::size_t* offset);
   // Reads "(?x ?y - t)" and makes the variables visible.
-  bool quantified(const Domain& domain, Scope& scope, std::vector<std::int32_t>* slots);
+  bool quantified(const Domain& domain, Scope& scope, Array<std::int32_t>* slots);
   bool find_predicate(const Domain& domain, const Token& name, PredicateId* predicate);
   bool too_deep(int depth);
   static bool is(const Token& token, std::string_view word) {
@@ -85,6 +84,7 @@ class Parser {
   std::string quoted(const Token& token) const;
 
   Lexer lexer_;
+  Arena arena_;  // where trees are built; the result takes it along
   std::string filename_;
   std::stop_token stop_;
   bool stoppable_;

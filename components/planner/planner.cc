@@ -62,7 +62,9 @@ Expected<Plan> Planner::Impl::solve(const Problem& problem, const SolveOptions& 
 Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions& options, Budget& budget) {
   const auto start = Clock::now();
   std::vector<TypeSet> slots = problem.goal_slots;
-  const Formula goal = Normaliser(domain, slots).normalise(problem.goal);
+  goal_memory.clear();
+  const Formula goal = Normaliser(domain, slots, goal_memory, options.stop).normalise(problem.goal);
+  if (budget.check()) return stopped(budget, options);
   const Grounder::Result grounded = grounder.ground(index, goal, slots, budget, task);
   if (grounded == Grounder::Result::kStopped) return stopped(budget, options);
   if (grounded == Grounder::Result::kTooLarge) {

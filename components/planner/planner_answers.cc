@@ -7,7 +7,7 @@ namespace goalnet::planner {
 Action Planner::Impl::name_of(std::int32_t schema, const ObjectId* binding) const {
   const CompiledSchema& compiled_schema = compiled.schemas[static_cast<std::size_t>(schema)];
   const ActionSchema& action = domain.actions[static_cast<std::size_t>(compiled_schema.action)];
-  Action result{action.name, {}};
+  Action result{std::string(action.name), {}};
   for (std::int32_t i = 0; i < action.parameter_count; ++i) {
     result.arguments.push_back(index.problem().object_name(binding[i]));
   }

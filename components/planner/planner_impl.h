@@ -33,6 +33,7 @@ struct Planner::Impl {
   ProblemIndex index;
   OneAction one_action;
   Grounder grounder;
+  Arena goal_memory;
   GroundTask task;
   RelaxedTask relaxed;
   LmCut lm_cut;

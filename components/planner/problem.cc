@@ -2,7 +2,7 @@
 
 namespace goalnet::planner {
 
-const std::string& Problem::object_name(ObjectId id) const {
+std::string Problem::object_name(ObjectId id) const {
   const std::int32_t constants = domain_->constants.size();
   return id < constants ? domain_->constants.name(id) : objects_.name(id - constants);
 }
@@ -31,23 +31,22 @@ ObjectId Problem::add_object(std::string_view object_name, TypeId type) {
   return id;
 }
 
-void Problem::reserve_objects(std::size_t more) {
-  objects_.reserve(more);
-  object_types_.reserve(object_types_.size() + more);
-  present_.reserve(present_.size() + more);
-}
-
 void Problem::restart() {
   name.clear();
   initial.clear();
   cost_atoms.clear();
   cost_values.clear();
   goal = Formula{};
+  arena_.clear();
   goal_slots.clear();
   minimise_cost = false;
   objects_.clear();
-  object_types_ = domain_->constant_types;
-  present_.assign(object_types_.size(), 1);
+  object_types_.clear();
+  present_.clear();
+  for (const TypeId type : domain_->constant_types) {
+    object_types_.push_back(type);
+    present_.push_back(1);
+  }
 }
 
 }  // namespace goalnet::planner

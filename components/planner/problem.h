@@ -32,7 +32,7 @@ class Problem {
   // Every object: constants of the domain first. `present` tells which of them exist in this problem;
   // constants of the domain that a world lacks do not take part.
   std::int32_t object_count() const { return static_cast<std::int32_t>(object_types_.size()); }
-  const std::string& object_name(ObjectId id) const;
+  std::string object_name(ObjectId id) const;
   ObjectId find_object(std::string_view name) const;  // SymbolTable::kNone if unknown
   TypeId object_type(ObjectId id) const { return object_types_[static_cast<std::size_t>(id)]; }
   bool present(ObjectId id) const { return present_[static_cast<std::size_t>(id)] != 0; }
@@ -44,16 +44,18 @@ class Problem {
 
   // For those who build problems. add_object fails silently on a duplicate: ask find_object first.
   ObjectId add_object(std::string_view object_name, TypeId type);
-  void reserve_objects(std::size_t more);
   void set_present(ObjectId id, bool present) { present_[static_cast<std::size_t>(id)] = present ? 1 : 0; }
+  // Where the goal is built.
+  Arena& arena() { return arena_; }
   // Forgets everything but the domain; keeps the memory.
   void restart();
 
  private:
   const Domain* domain_;
   SymbolTable objects_;
-  std::vector<TypeId> object_types_;
-  std::vector<std::uint8_t> present_;
+  Chunks<TypeId> object_types_;
+  Chunks<std::uint8_t> present_;
+  Arena arena_;
 };
 
 // Parses a PDDL problem for `domain`. Errors as in parse_domain.

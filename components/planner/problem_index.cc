@@ -16,10 +16,12 @@ void ProblemIndex::restart(const Problem& problem, Budget& budget) {
     for (ByArgument& position : entry.positions) position.built = false;
   }
   const AtomTable& initial = problem.initial;
-  for (std::int32_t atom = 0; atom < initial.size(); ++atom) {
-    if (budget.poll()) return;
-    ++predicates_[static_cast<std::size_t>(initial.predicate(atom))].end;
-  }
+  ByPredicate* const predicates = predicates_.data();
+  const bool counted = initial.each_predicate([&](PredicateId predicate) {
+    ++predicates[predicate].end;
+    return !budget.poll();
+  });
+  if (!counted) return;
   std::uint32_t total = 0;
   for (ByPredicate& entry : predicates_) {
     const std::uint32_t count = entry.end;
@@ -27,10 +29,11 @@ void ProblemIndex::restart(const Problem& problem, Budget& budget) {
     total += count;
   }
   atoms_.resize(total);
-  for (std::int32_t atom = 0; atom < initial.size(); ++atom) {
-    if (budget.poll()) return;
-    atoms_[predicates_[static_cast<std::size_t>(initial.predicate(atom))].end++] = atom;
-  }
+  std::int32_t atom = 0;
+  initial.each_predicate([&, atoms = atoms_.data()](PredicateId predicate) {
+    atoms[predicates[predicate].end++] = atom++;
+    return !budget.poll();
+  });
 }
 
 std::span<const ObjectId> ProblemIndex::objects(std::int32_t type_set) {

@@ -13,39 +13,18 @@ constexpr std::size_t kMostDisjuncts = 4;  // of a precondition split into schem
 
 // An effect before its condition is split.
 struct FlatEffect {
-  std::vector<std::int32_t> variables;
+  Array<std::int32_t> variables;
   Formula condition;
   AtomPattern atom;
   bool negative = false;
 };
 
-Formula conjunction(Formula left, Formula right) {
-  Formula result;
-  result.kind = Formula::Kind::kAnd;
-  result.children.push_back(std::move(left));
-  result.children.push_back(std::move(right));
-  return result;
-}
-
-void flatten(const Effect& effect, std::vector<std::int32_t> variables, const Formula& condition,
-             std::vector<FlatEffect>* result) {
-  switch (effect.kind) {
-    case Effect::Kind::kAdd:
-    case Effect::Kind::kDelete:
-      result->push_back({std::move(variables), condition, effect.atom, effect.kind == Effect::Kind::kDelete});
-      return;
-    case Effect::Kind::kAnd:
-      for (const Effect& child : effect.children) flatten(child, variables, condition, result);
-      return;
-    case Effect::Kind::kForall:
-      variables.insert(variables.end(), effect.slots.begin(), effect.slots.end());
-      flatten(effect.children[0], std::move(variables), condition, result);
-      return;
-    case Effect::Kind::kWhen:
-      flatten(effect.children[0], std::move(variables), conjunction(condition, effect.condition), result);
-      return;
-  }
-}
+// What a condition consists of.
+struct Parts {
+  std::vector<LiteralPattern> fixed, fluent;
+  std::vector<EqualityPattern> equalities;
+  std::vector<const Formula*> complex;
+};
 
 // Constants that the first `parameters` variables are compared with.
 using Comparison = std::pair<std::int32_t, ObjectId>;
@@ -66,11 +45,33 @@ void collect_comparisons(const Effect& effect, std::int32_t parameters, std::vec
   for (const Effect& child : effect.children) collect_comparisons(child, parameters, result);
 }
 
+using Places = std::vector<std::int32_t>;  // by slot: its new number
+
+void rename(const Places& place, Term* term) {
+  if (term->is_variable()) *term = Term::variable(place[static_cast<std::size_t>(term->slot())]);
+}
+void rename(const Places& place, AtomPattern* atom) {
+  for (Term& term : atom->arguments) rename(place, &term);
+}
+// A copy of its own in the arena.
+Formula renamed(const Places& place, const Formula& formula, Arena& arena) {
+  Formula result;
+  result.kind = formula.kind;
+  result.atom = formula.atom;
+  rename(place, &result.atom);
+  result.slots = arena.copy(formula.slots);
+  for (std::int32_t& slot : result.slots) slot = place[static_cast<std::size_t>(slot)];
+  for (const Formula& child : formula.children)
+    result.children.push_back(arena, renamed(place, child, arena));
+  return result;
+}
+
 class Compiler {
  public:
   Compiler(CompiledDomain& compiled, const std::stop_token& stop) : compiled_(compiled), stop_(stop) {}
 
   void compile(std::int32_t index) {
+    scratch_.clear();
     const ActionSchema& action = compiled_.domain.actions[static_cast<std::size_t>(index)];
     std::vector<Comparison> comparisons;
     collect_comparisons(action.precondition, action.parameter_count, &comparisons);
@@ -85,8 +86,6 @@ class Compiler {
       if (cases > kMostCases) break;
     }
     if (cases > kMostCases) comparisons.clear();
-    flat_.clear();
-    flatten(action.effect, {}, Formula{}, &flat_);
     split_cases(index, comparisons, 0, {});
   }
 
@@ -113,8 +112,8 @@ class Compiler {
   void build(std::int32_t index, const std::vector<Comparison>& comparisons,
              const std::vector<Comparison>& chosen) {
     const ActionSchema& action = compiled_.domain.actions[static_cast<std::size_t>(index)];
-    std::vector<TypeSet> slots = action.slots;
-    Normaliser normaliser(compiled_.domain, slots, stop_);
+    std::vector<TypeSet> slots(action.slots.begin(), action.slots.end());
+    Normaliser normaliser(compiled_.domain, slots, scratch_, stop_);
     std::vector<EqualityPattern> exclusions;
     for (const Comparison& fixed : chosen) normaliser.fix(fixed.first, fixed.second);
     for (const Comparison& comparison : comparisons) {
@@ -126,115 +125,183 @@ class Compiler {
     }
     const Formula precondition = normaliser.normalise(action.precondition);
     if (precondition.kind == Formula::Kind::kFalse || stop_.stop_requested()) return;
-    std::vector<FlatEffect> effects;
-    for (const FlatEffect& flat : flat_) {
-      Formula condition = normaliser.normalise(flat.condition);
-      if (condition.kind == Formula::Kind::kFalse) continue;
-      effects.push_back(
-          {flat.variables, std::move(condition), normaliser.substitute(flat.atom), flat.negative});
+    effects_.clear();
+    flatten(normaliser, action.effect, {}, Formula{});
+    if (stop_.stop_requested()) return;
+    CompiledSchema schema;
+    schema.action = index;
+    schema.fixed = compiled_.arena.copy(chosen);
+    schema.cost = action.cost;
+    schema.cost.functions = compiled_.arena.copy(action.cost.functions);
+    for (AtomPattern& function : schema.cost.functions) function = normaliser.substitute(function);
+    for (const Formula& alternative : alternatives(precondition, kMostDisjuncts, scratch_)) {
+      finish(alternative, exclusions, slots, action.parameter_count, schema);
     }
-    for (Formula& alternative : alternatives(precondition, kMostDisjuncts)) {
-      CompiledSchema schema;
-      schema.action = index;
-      schema.fixed = chosen;
-      schema.slots = slots;
-      schema.parameter_count = action.parameter_count;
-      schema.cost = action.cost;
-      for (AtomPattern& function : schema.cost.functions) function = normaliser.substitute(function);
-      finish(std::move(alternative), exclusions, effects, std::move(schema));
+  }
+
+  // The effects one by one, their conditions in normal form.
+  void flatten(const Normaliser& normaliser, const Effect& effect, std::vector<std::int32_t> variables,
+               const Formula& condition) {
+    switch (effect.kind) {
+      case Effect::Kind::kAdd:
+      case Effect::Kind::kDelete: {
+        const Formula normal = normaliser.normalise(condition);
+        if (normal.kind == Formula::Kind::kFalse) return;
+        effects_.push_back({scratch_.copy(variables), normal, normaliser.substitute(effect.atom),
+                            effect.kind == Effect::Kind::kDelete});
+        return;
+      }
+      case Effect::Kind::kAnd:
+        for (const Effect& child : effect.children) {
+          if (stop_.stop_requested()) return;
+          flatten(normaliser, child, variables, condition);
+        }
+        return;
+      case Effect::Kind::kForall:
+        variables.insert(variables.end(), effect.slots.begin(), effect.slots.end());
+        flatten(normaliser, effect.children.front(), std::move(variables), condition);
+        return;
+      case Effect::Kind::kWhen: {
+        Formula both;
+        both.kind = Formula::Kind::kAnd;
+        both.children.push_back(scratch_, condition);
+        both.children.push_back(scratch_, effect.condition);
+        flatten(normaliser, effect.children.front(), std::move(variables), both);
+        return;
+      }
     }
   }
 
   // Variables under a leading 'exists' of the precondition become parameters: slots are renumbered so that
   // those bound with the action come first.
   void finish(Formula precondition, const std::vector<EqualityPattern>& exclusions,
-              const std::vector<FlatEffect>& effects, CompiledSchema schema) {
+              const std::vector<TypeSet>& types, std::int32_t parameter_count, CompiledSchema schema) {
     std::vector<std::int32_t> order;
-    for (std::int32_t slot = 0; slot < schema.parameter_count; ++slot) order.push_back(slot);
-    precondition = open_exists(std::move(precondition), &order);
+    for (std::int32_t slot = 0; slot < parameter_count; ++slot) order.push_back(slot);
+    precondition = open_exists(precondition, &order);
     schema.parameter_count = static_cast<std::int32_t>(order.size());
-    for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(schema.slots.size()); ++slot) {
+    for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(types.size()); ++slot) {
       if (std::find(order.begin(), order.end(), slot) == order.end()) order.push_back(slot);
     }
-    std::vector<std::int32_t> place(order.size());
-    std::vector<TypeSet> slots(order.size());
+    Places place(order.size());
+    schema.slots = compiled_.arena.allocate_array<TypeSet>(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       place[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i);
-      slots[i] = schema.slots[static_cast<std::size_t>(order[i])];
+      schema.slots[i] = types[static_cast<std::size_t>(order[i])];
     }
-    schema.slots = std::move(slots);
-    rename(place, &precondition);
+    schema.cost.functions = compiled_.arena.copy(schema.cost.functions);
     for (AtomPattern& function : schema.cost.functions) rename(place, &function);
-    schema.precondition = split_condition(compiled_.is_fluent, std::move(precondition));
-    schema.precondition.equalities.insert(schema.precondition.equalities.end(), exclusions.begin(),
-                                          exclusions.end());
-    for (const FlatEffect& flat : effects) {
+    Parts parts = split(precondition, place);
+    parts.equalities.insert(parts.equalities.end(), exclusions.begin(), exclusions.end());
+    schema.precondition = keep(parts, place);
+    compiled_effects_.clear();
+    for (const FlatEffect& effect : effects_) {
       if (stop_.stop_requested()) return;
-      FlatEffect effect = flat;
-      for (std::int32_t& variable : effect.variables) variable = place[static_cast<std::size_t>(variable)];
-      rename(place, &effect.condition);
-      rename(place, &effect.atom);
-      add_effect(std::move(effect), &schema);
+      add_effect(effect, place, schema.precondition);
     }
-    split_toggles(std::move(schema), &compiled_.schemas);
+    schema.effects = compiled_.arena.copy(compiled_effects_);
+    split_toggles(schema, compiled_.arena, &compiled_.schemas);
   }
 
-  void add_effect(FlatEffect effect, CompiledSchema* schema) {
-    for (Formula& alternative : alternatives(effect.condition, 16)) {
-      CompiledEffect compiled;
-      compiled.variables = effect.variables;
-      alternative = open_exists(std::move(alternative), &compiled.variables);
-      compiled.condition = split_condition(compiled_.is_fluent, std::move(alternative));
-      compiled.literal.atom = effect.atom;
-      compiled.literal.negative = effect.negative;
+  void add_effect(const FlatEffect& effect, const Places& place, const Condition& precondition) {
+    CompiledEffect compiled;
+    compiled.literal = {effect.atom, effect.negative};
+    rename(place, &compiled.literal.atom);
+    const auto& known = precondition.fluent;
+    for (const Formula& alternative : alternatives(effect.condition, 16, scratch_)) {
+      std::vector<std::int32_t> variables(effect.variables.begin(), effect.variables.end());
+      const Formula opened = open_exists(alternative, &variables);
+      Parts parts = split(opened, place);
+      for (std::int32_t& variable : variables) variable = place[static_cast<std::size_t>(variable)];
       // What the precondition already says needs no condition.
-      std::erase_if(compiled.condition.fluent, [&](const LiteralPattern& literal) {
-        const auto& known = schema->precondition.fluent;
+      std::erase_if(parts.fluent, [&](const LiteralPattern& literal) {
         return std::any_of(known.begin(), known.end(), [&](const auto& l) { return same(l, literal); });
       });
       const bool impossible =
-          std::any_of(compiled.condition.fluent.begin(), compiled.condition.fluent.end(),
-                      [&](const LiteralPattern& literal) {
-                        const auto& known = schema->precondition.fluent;
-                        return std::any_of(known.begin(), known.end(),
-                                           [&](const auto& l) { return opposite(l, literal); });
-                      });
-      if (!impossible) schema->effects.push_back(std::move(compiled));
+          std::any_of(parts.fluent.begin(), parts.fluent.end(), [&](const LiteralPattern& literal) {
+            return std::any_of(known.begin(), known.end(),
+                               [&](const auto& l) { return opposite(l, literal); });
+          });
+      if (impossible) continue;
+      compiled.variables = compiled_.arena.copy(variables);
+      compiled.condition = keep(parts, place);
+      compiled_effects_.push_back(compiled);
     }
   }
 
-  static Formula open_exists(Formula formula, std::vector<std::int32_t>* variables) {
+  Formula open_exists(const Formula& formula, std::vector<std::int32_t>* variables) {
     if (formula.kind == Formula::Kind::kExists) {
       variables->insert(variables->end(), formula.slots.begin(), formula.slots.end());
-      Formula inner = std::move(formula.children[0]);
-      return open_exists(std::move(inner), variables);
+      return open_exists(formula.children.front(), variables);
     }
-    if (formula.kind == Formula::Kind::kAnd) {
-      for (Formula& child : formula.children) child = open_exists(std::move(child), variables);
+    const auto may_open = [](const Formula& f) {
+      return f.kind == Formula::Kind::kExists || f.kind == Formula::Kind::kAnd;
+    };
+    if (formula.kind != Formula::Kind::kAnd ||
+        std::none_of(formula.children.begin(), formula.children.end(), may_open)) {
+      return formula;
     }
-    return formula;
+    Formula result;
+    result.kind = Formula::Kind::kAnd;
+    for (const Formula& child : formula.children) {
+      result.children.push_back(scratch_, open_exists(child, variables));
+    }
+    return result;
   }
 
-  static void rename(const std::vector<std::int32_t>& place, AtomPattern* atom) {
-    for (Term& term : atom->arguments) {
-      if (term.is_variable()) term = Term::variable(place[static_cast<std::size_t>(term.slot())]);
+  // Splits a normal-form formula at its top conjunction. Complex parts are not renamed yet.
+  Parts split(const Formula& formula, const Places& place) const {
+    Parts parts;
+    std::vector<const Formula*> open = {&formula};
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Formula& part = *open[i];
+      if (part.kind == Formula::Kind::kTrue) continue;
+      if (part.kind == Formula::Kind::kAnd) {
+        for (const Formula& child : part.children) open.push_back(&child);
+        continue;
+      }
+      const bool negative = part.kind == Formula::Kind::kNot;
+      AtomPattern atom = (negative ? part.children.front() : part).atom;
+      const auto kind = (negative ? part.children.front() : part).kind;
+      if (kind == Formula::Kind::kAtom) {
+        rename(place, &atom);
+        const bool fluent = compiled_.is_fluent[static_cast<std::size_t>(atom.predicate)] != 0;
+        (fluent ? parts.fluent : parts.fixed).push_back({atom, negative});
+      } else if (kind == Formula::Kind::kEqual) {
+        rename(place, &atom);
+        parts.equalities.push_back({atom.arguments[0], atom.arguments[1], negative});
+      } else {
+        parts.complex.push_back(&part);
+      }
     }
+    return parts;
   }
-  static void rename(const std::vector<std::int32_t>& place, Formula* formula) {
-    rename(place, &formula->atom);
-    for (std::int32_t& slot : formula->slots) slot = place[static_cast<std::size_t>(slot)];
-    for (Formula& child : formula->children) rename(place, &child);
+
+  Condition keep(const Parts& parts, const Places& place) {
+    Arena& arena = compiled_.arena;
+    Condition result{arena.copy(parts.fixed), arena.copy(parts.fluent), arena.copy(parts.equalities), {}};
+    result.complex = arena.allocate_array<Formula>(parts.complex.size());
+    for (std::size_t i = 0; i < parts.complex.size(); ++i) {
+      result.complex[i] = renamed(place, *parts.complex[i], arena);
+    }
+    return result;
   }
 
   CompiledDomain& compiled_;
   const std::stop_token& stop_;
-  std::vector<FlatEffect> flat_;  // of the action at hand
+  // Of the action at hand:
+  Arena scratch_;
+  Chunks<FlatEffect> effects_;
+  Chunks<CompiledEffect> compiled_effects_;
 };
 
 }  // namespace
 
-void compile_action(CompiledDomain& compiled, std::int32_t action, const std::stop_token& stop) {
-  Compiler(compiled, stop).compile(action);
+void compile_actions(CompiledDomain& compiled, const std::stop_token& stop) {
+  Compiler compiler(compiled, stop);
+  for (std::size_t i = 0; i < compiled.domain.actions.size() && !stop.stop_requested(); ++i) {
+    compiler.compile(static_cast<std::int32_t>(i));
+  }
 }
 
 }  // namespace goalnet::planner

@@ -9,7 +9,7 @@
 
 namespace goalnet::planner {
 
-// Appends to compiled.schemas; compiled.is_fluent is known. Not complete once `stop` asks.
-void compile_action(CompiledDomain& compiled, std::int32_t action, const std::stop_token& stop);
+// Fills compiled.schemas; compiled.is_fluent is known. Not complete once `stop` asks.
+void compile_actions(CompiledDomain& compiled, const std::stop_token& stop);
 
 }  // namespace goalnet::planner

@@ -39,25 +39,26 @@ std::int32_t SymbolTable::add(std::string_view name) {
   const std::int32_t next = size();
   const std::int32_t id = index_.find_or_add(
       hash_ignoring_case(name), next,
-      [&](std::int32_t other) { return equal_ignoring_case(this->name(other), name); },
-      [this](std::int32_t other) { return hash_ignoring_case(this->name(other)); });
-  if (id == next) names_.emplace_back(name);
+      [&](std::int32_t other) { return equal_ignoring_case(view(other), name); },
+      [this](std::int32_t other) { return hash_ignoring_case(view(other)); });
+  if (id == next) names_.push_back(text_.copy_text(name));
   return id;
 }
 
 std::int32_t SymbolTable::find(std::string_view name) const {
   return index_.find(hash_ignoring_case(name),
-                     [&](std::int32_t id) { return equal_ignoring_case(this->name(id), name); });
+                     [&](std::int32_t id) { return equal_ignoring_case(view(id), name); });
 }
 
 std::vector<std::string> SymbolTable::first_names() const {
   std::vector<std::string> result;
-  for (std::size_t i = 0; i < names_.size() && i < kMostNames; ++i) result.push_back(names_[i]);
+  for (std::size_t i = 0; i < names_.size() && i < kMostNames; ++i) result.emplace_back(names_[i]);
   return result;
 }
 
 void SymbolTable::clear() {
   names_.clear();
+  text_.clear();
   index_.clear();
 }
 

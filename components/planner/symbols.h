@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "components/planner/arena.h"
+#include "components/planner/chunks.h"
 #include "components/planner/hash_index.h"
 
 namespace goalnet::planner {
@@ -15,21 +17,25 @@ class SymbolTable {
  public:
   static constexpr std::int32_t kNone = -1;
 
+  SymbolTable() = default;
+  SymbolTable(SymbolTable&&) = default;
+  SymbolTable& operator=(SymbolTable&&) = default;
+
   // The number of `name`, adding it if new.
   std::int32_t add(std::string_view name);
   // The number of `name`, or kNone.
   std::int32_t find(std::string_view name) const;
 
-  const std::string& name(std::int32_t id) const { return names_[static_cast<std::size_t>(id)]; }
+  std::string name(std::int32_t id) const { return std::string(view(id)); }
+  std::string_view view(std::int32_t id) const { return names_[static_cast<std::size_t>(id)]; }
   std::int32_t size() const { return static_cast<std::int32_t>(names_.size()); }
   // The first of them, as many as did_you_mean() looks at.
   std::vector<std::string> first_names() const;
   void clear();
-  // For so many names more: adding them then moves none of those that are there.
-  void reserve(std::size_t more) { names_.reserve(names_.size() + more); }
 
  private:
-  std::vector<std::string> names_;
+  Arena text_;
+  Chunks<std::string_view> names_;
   HashIndex index_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace goalnet::planner {
 
-Expected<std::string> read_text_file(const std::string& path, const std::stop_token& stop) {
+Expected<FileText> read_text_file(const std::string& path, const std::stop_token& stop) {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
@@ -16,21 +16,33 @@ Expected<std::string> read_text_file(const std::string& path, const std::stop_to
   if (!file)
     return fail(Outcome::kInvalidRequest, path + ": cannot be opened; does it exist and may it be read?");
   // In pieces, so that a huge file, or one that never ends, does not keep us.
-  std::string text;
   constexpr std::size_t kPiece = 1u << 16;
+  const auto cancelled = [&] { return fail(Outcome::kCancelled, path + ": reading was cancelled"); };
   std::error_code unknown;
   const auto size_told = std::filesystem::file_size(path, unknown);
-  if (!unknown) text.reserve(std::min<std::size_t>(size_told, kLargestText) + kPiece);
-  for (std::size_t size = 0; size <= kLargestText;) {
-    if (stop.stop_requested()) return fail(Outcome::kCancelled, path + ": reading was cancelled");
-    text.resize(size + kPiece);
-    const std::size_t got = std::fread(text.data() + size, 1, kPiece, file.get());
+  std::size_t room = unknown ? kPiece : std::min<std::size_t>(size_told, kLargestText) + kPiece;
+  FileText result;
+  char* text = result.memory.allocate<char>(room);
+  std::size_t size = 0;
+  while (size <= kLargestText) {
+    if (stop.stop_requested()) return cancelled();
+    if (room - size < kPiece) {  // longer than we were told
+      FileText larger;
+      char* const more = larger.memory.allocate<char>(room *= 2);
+      for (std::size_t at = 0; at < size; at += kPiece) {
+        if (stop.stop_requested()) return cancelled();
+        std::copy_n(text + at, std::min(kPiece, size - at), more + at);
+      }
+      result = std::move(larger);
+      text = more;
+    }
+    const std::size_t got = std::fread(text + size, 1, kPiece, file.get());
     size += got;
-    text.resize(size);
     if (std::ferror(file.get()) != 0) return fail(Outcome::kInvalidRequest, path + ": cannot be read");
     if (got < kPiece) break;
   }
-  return text;
+  result.text = {text, size};
+  return result;
 }
 
 }  // namespace goalnet::planner

@@ -1,6 +1,8 @@
 #include "components/planner/toggles.h"
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 namespace goalnet::planner {
 namespace {
@@ -30,25 +32,25 @@ const LiteralPattern* find_toggle(const CompiledSchema& schema) {
   return nullptr;
 }
 
-CompiledSchema assume(const CompiledSchema& schema, LiteralPattern literal) {
-  CompiledSchema result;
-  result.action = schema.action;
-  result.parameter_count = schema.parameter_count;
-  result.slots = schema.slots;
-  result.fixed = schema.fixed;
-  result.precondition = schema.precondition;
-  result.cost = schema.cost;
-  result.effects.reserve(schema.effects.size());
+CompiledSchema assume(const CompiledSchema& schema, const LiteralPattern& literal, Arena& arena) {
+  CompiledSchema result = schema;
+  std::vector<CompiledEffect> effects;
   for (const CompiledEffect& effect : schema.effects) {
     const auto& known = effect.condition.fluent;
     if (std::any_of(known.begin(), known.end(), [&](const auto& l) { return opposite(l, literal); }))
       continue;
-    result.effects.push_back(effect);
-    std::erase_if(result.effects.back().condition.fluent, [&](const auto& l) { return same(l, literal); });
+    effects.push_back(effect);
+    std::vector<LiteralPattern> others;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(others),
+                 [&](const auto& l) { return !same(l, literal); });
+    effects.back().condition.fluent = arena.copy(others);
   }
-  auto& fluent = result.precondition.fluent;
+  result.effects = arena.copy(effects);
+  const auto& fluent = schema.precondition.fluent;
   if (std::none_of(fluent.begin(), fluent.end(), [&](const auto& l) { return same(l, literal); })) {
-    fluent.push_back(std::move(literal));
+    std::vector<LiteralPattern> with(fluent.begin(), fluent.end());
+    with.push_back(literal);
+    result.precondition.fluent = arena.copy(with);
   }
   return result;
 }
@@ -65,22 +67,22 @@ bool contradictory(const Condition& condition) {
   return false;
 }
 
-void split(CompiledSchema schema, std::size_t budget, std::vector<CompiledSchema>* result) {
+void split(const CompiledSchema& schema, std::size_t budget, Arena& arena, Chunks<CompiledSchema>* result) {
   const LiteralPattern* toggle = budget == 0 ? nullptr : find_toggle(schema);
   if (toggle == nullptr) {
-    if (!schema.effects.empty() && !contradictory(schema.precondition)) result->push_back(std::move(schema));
+    if (!schema.effects.empty() && !contradictory(schema.precondition)) result->push_back(schema);
     return;
   }
   LiteralPattern literal = *toggle;
-  split(assume(schema, literal), budget - 1, result);
+  split(assume(schema, literal, arena), budget - 1, arena, result);
   literal.negative = !literal.negative;
-  split(assume(schema, literal), budget - 1, result);
+  split(assume(schema, literal, arena), budget - 1, arena, result);
 }
 
 }  // namespace
 
-void split_toggles(CompiledSchema schema, std::vector<CompiledSchema>* result) {
-  split(std::move(schema), kMostToggles, result);
+void split_toggles(const CompiledSchema& schema, Arena& arena, Chunks<CompiledSchema>* result) {
+  split(schema, kMostToggles, arena, result);
 }
 
 }  // namespace goalnet::planner

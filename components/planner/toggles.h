@@ -15,6 +15,6 @@ inline bool opposite(const LiteralPattern& left, const LiteralPattern& right) {
 }
 
 // Appends the cases of a schema, or nothing where it can never run or has no effect.
-void split_toggles(CompiledSchema schema, std::vector<CompiledSchema>* result);
+void split_toggles(const CompiledSchema& schema, Arena& arena, Chunks<CompiledSchema>* result);
 
 }  // namespace goalnet::planner

@@ -22,7 +22,7 @@ TypeId type_for(const Domain& domain, std::string_view name) {
   for (std::int32_t id = 0; id < domain.constants.size(); ++id) {
     const TypeId type = domain.constant_types[static_cast<std::size_t>(id)];
     // Only things: the class of Coke_1 is not that of the content Coke.
-    if (domain.is_a(type, thing) && equal_ignoring_case(class_of(domain.constants.name(id)), wanted))
+    if (domain.is_a(type, thing) && equal_ignoring_case(class_of(domain.constants.view(id)), wanted))
       return type;
   }
   return thing;
@@ -52,7 +52,7 @@ void add_counts(const FactSet& facts, Problem& problem) {
 }
 
 bool is_bookkeeping(const Domain& domain, PredicateId predicate) {
-  const std::string& name = domain.predicates.name(predicate);
+  const std::string_view name = domain.predicates.view(predicate);
   return name == "HandsHold" || name == "TrayHolds";
 }
 
@@ -150,27 +150,31 @@ Expected<Formula> goal_literal(const Problem& problem, const Predicate& fact) {
 
 Expected<void> load_goal(const Goal& goal, Problem& problem) {
   problem.goal.kind = Formula::Kind::kAnd;
+  List<Formula>& parts = problem.goal.children;
   for (const Predicate& fact : goal.positive) {
-    auto literal = goal_literal(problem, fact);
+    const auto literal = goal_literal(problem, fact);
     if (!literal) return tl::unexpected(literal.error());
-    problem.goal.children.push_back(std::move(*literal));
+    parts.push_back(problem.arena(), *literal);
   }
-  const std::size_t positives = problem.goal.children.size();
+  const std::size_t positives = parts.size();
   for (const Predicate& fact : goal.negative) {
-    auto literal = goal_literal(problem, fact);
+    const auto literal = goal_literal(problem, fact);
     if (!literal) return tl::unexpected(literal.error());
-    for (std::size_t i = 0; i < positives; ++i) {
-      if (problem.goal.children[i].atom == literal->atom) {
+    std::size_t i = 0;
+    for (const Formula& part : parts) {
+      if (i == positives) break;
+      if (part.atom == literal->atom) {
         return fail(Outcome::kInvalidRequest, "the goal contradicts itself: " + to_string(goal.positive[i]) +
                                                   " and (not " + to_string(fact) + ")");
       }
+      ++i;
     }
     Formula negated;
     negated.kind = Formula::Kind::kNot;
-    negated.children.push_back(std::move(*literal));
-    problem.goal.children.push_back(std::move(negated));
+    negated.children.push_back(problem.arena(), *literal);
+    parts.push_back(problem.arena(), negated);
   }
-  if (problem.goal.children.empty()) problem.goal.kind = Formula::Kind::kTrue;
+  if (parts.empty()) problem.goal.kind = Formula::Kind::kTrue;
   return {};
 }
 

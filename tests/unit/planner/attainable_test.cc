@@ -37,7 +37,7 @@ class AttainableTest : public testing::Test {
     literal.atom.predicate = domain_.predicates.find(predicate);
     literal.atom.arguments = {Term::object(problem_.find_object(object))};
     literal.negative = negative;
-    return attainable_.can_hold({literal}, nullptr);
+    return attainable_.can_hold(std::span(&literal, 1), nullptr);
   }
 
   Domain domain_;

@@ -253,12 +253,12 @@ void set_reachable_goal(std::uint64_t seed, int steps, Problem& problem) {
     literal.atom.predicate = atom[0];
     for (std::size_t i = 1; i < atom.size(); ++i) literal.atom.arguments.push_back(Term::object(atom[i]));
     if (negative) {
-      Formula inner = std::move(literal);
+      const Formula inner = literal;
       literal = Formula{};
       literal.kind = Formula::Kind::kNot;
-      literal.children.push_back(std::move(inner));
+      literal.children.push_back(problem.arena(), inner);
     }
-    problem.goal.children.push_back(std::move(literal));
+    problem.goal.children.push_back(problem.arena(), literal);
   };
   for (const Atom& atom : state) {
     if (random() % (start.count(atom) != 0 ? 6 : 2) == 0) want(atom, false);
