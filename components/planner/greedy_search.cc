@@ -51,7 +51,8 @@ std::int64_t GreedySearch::undone_goals(const GroundTask& task, const RelaxedPla
 }
 
 std::int32_t GreedySearch::look_ahead(const GroundTask& task, const RelaxedPlanner& heuristic,
-                                      std::int32_t id, std::int64_t upper_bound, Budget& budget) {
+                                      const DeadPairs& dead, std::int32_t id, std::int64_t upper_bound,
+                                      Budget& budget) {
   rest_ = heuristic.actions();
   const std::int32_t first_new = states_.size();
   for (bool progress = true; progress && !rest_.empty();) {
@@ -66,6 +67,10 @@ std::int32_t GreedySearch::look_ahead(const GroundTask& task, const RelaxedPlann
         continue;
       }
       apply_action(task, states_.state(id), action, next_.data());
+      if (dead.dead_after(task, action, next_.data())) {
+        rest_[kept++] = number;
+        continue;
+      }
       bool is_new = false;
       const std::int32_t next = states_.add(next_.data(), next_.data(), &is_new);
       if (is_new) nodes_.push_back({id, number, g, false});
@@ -80,7 +85,7 @@ std::int32_t GreedySearch::look_ahead(const GroundTask& task, const RelaxedPlann
 GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner& heuristic,
                                           const Word* initial, std::int64_t upper_bound,
                                           std::int64_t most_states, std::int64_t most_bytes, Budget& budget,
-                                          Statistics& statistics, Style style) {
+                                          Statistics& statistics, const DeadPairs& dead, Style style) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   states_.restart(words, false);
   nodes_.clear();
@@ -119,7 +124,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
       }
       if (h >= before) break;
       before = h;
-      id = look_ahead(task, heuristic, id, upper_bound, budget);
+      id = look_ahead(task, heuristic, dead, id, upper_bound, budget);
     }
     return -1;
   };
@@ -153,6 +158,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
       const std::int64_t g = nodes_[static_cast<std::size_t>(id)].g + action.cost;
       if (g >= upper_bound) continue;
       apply_action(task, states_.state(id), action, next_.data());
+      if (dead.dead_after(task, action, next_.data())) continue;
       bool is_new_state = false;
       const std::int32_t child = states_.add(next_.data(), next_.data(), &is_new_state);
       ++statistics.generated;
@@ -202,6 +208,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
     const std::int64_t g = nodes_[static_cast<std::size_t>(entry.parent)].g + action.cost;
     if (g >= upper_bound) continue;
     apply_action(task, states_.state(entry.parent), action, next_.data());
+    if (dead.dead_after(task, action, next_.data())) continue;
     const std::int32_t id = states_.add(next_.data(), next_.data(), &is_new);
     ++statistics.generated;
     if (is_new) nodes_.push_back({entry.parent, entry.action, g, false});

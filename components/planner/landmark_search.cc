@@ -60,8 +60,8 @@ void LandmarkSearch::open(const GroundTask& task, RelaxedPlanner& heuristic, Lan
 LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPlanner& heuristic,
                                               Landmarks& landmarks, const Word* initial,
                                               std::int64_t upper_bound, std::int64_t most_states,
-                                              std::int64_t most_bytes, Budget& budget,
-                                              Statistics& statistics) {
+                                              std::int64_t most_bytes, Budget& budget, Statistics& statistics,
+                                              const DeadPairs& dead) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   states_.restart(words, false);
   nodes_.clear();
@@ -101,6 +101,7 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
     if (g >= upper_bound) continue;
     apply_action(task, states_.state(entry.parent), action, next_.data());
     ++statistics.generated;
+    if (dead.dead_after(task, action, next_.data())) continue;
     const std::int32_t id = states_.add(next_.data(), next_.data(), &is_new);
     if (!is_new) continue;
     nodes_.push_back({g, entry.parent, entry.action});

@@ -10,6 +10,7 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/chunks.h"
+#include "components/planner/dead_pairs.h"
 #include "components/planner/greedy_search.h"
 #include "components/planner/landmarks.h"
 #include "components/planner/plan.h"
@@ -26,7 +27,7 @@ class LandmarkSearch {
   // Only plans cheaper than `upper_bound` count.
   Result search(const GroundTask& task, RelaxedPlanner& heuristic, Landmarks& landmarks, const Word* initial,
                 std::int64_t upper_bound, std::int64_t most_states, std::int64_t most_bytes, Budget& budget,
-                Statistics& statistics);
+                Statistics& statistics, const DeadPairs& dead);
   const std::vector<std::int32_t>& plan() const { return plan_; }
 
  private:

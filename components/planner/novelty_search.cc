@@ -36,7 +36,7 @@ std::int64_t NoveltySearch::bytes() const {
 NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& landmarks, const Word* initial,
                                             std::int64_t upper_bound, std::int64_t most_states,
                                             std::int64_t most_bytes, bool committed, Budget& budget,
-                                            Statistics& statistics) {
+                                            Statistics& statistics, const DeadPairs& dead) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   successors_.restart(task);
   states_.restart(words, false);
@@ -70,6 +70,7 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
       if (g >= upper_bound) continue;
       apply_action(task, states_.state(id), action, next_.data());
       ++statistics.generated;
+      if (dead.dead_after(task, action, next_.data())) continue;
       const std::int32_t child = states_.add(next_.data(), next_.data(), &is_new_state);
       if (!is_new_state) continue;
       nodes_.push_back({g, id, number});

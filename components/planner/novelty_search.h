@@ -13,6 +13,7 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/chunks.h"
+#include "components/planner/dead_pairs.h"
 #include "components/planner/greedy_search.h"
 #include "components/planner/landmarks.h"
 #include "components/planner/plan.h"
@@ -30,7 +31,7 @@ class NoveltySearch {
   // plan.
   Result search(const GroundTask& task, Landmarks& landmarks, const Word* initial, std::int64_t upper_bound,
                 std::int64_t most_states, std::int64_t most_bytes, bool committed, Budget& budget,
-                Statistics& statistics);
+                Statistics& statistics, const DeadPairs& dead);
   const std::vector<std::int32_t>& plan() const { return plan_; }
 
  private:

@@ -8,6 +8,7 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/ground_task.h"
+#include "components/planner/pair_fixpoint.h"
 
 namespace goalnet::planner {
 
@@ -24,38 +25,13 @@ class PairReachability {
   bool impossible(std::span<const ConditionId> conditions) const;
 
  private:
-  struct Operator {
-    std::vector<std::int32_t> needs, adds, deletes;  // indices of literals
-    std::int32_t family = -1;                        // conditional effects of one action
-    std::uint64_t judged = 0;
-  };
-
+  friend class DeadPairs;
   void add_operators(const GroundTask& task, Budget& budget);
-  bool apply(Operator& op);
-  void reach(std::int32_t p, const Word* mask);
-  Word* row(std::int32_t index) { return rows_.data() + static_cast<std::size_t>(index) * words_; }
-  const Word* row(std::int32_t index) const {
-    return rows_.data() + static_cast<std::size_t>(index) * words_;
-  }
-  static bool bit(const Word* words, std::int32_t index) {
-    return ((words[static_cast<std::size_t>(index) >> 6] >> (static_cast<std::size_t>(index) & 63u)) & 1u) !=
-           0;
-  }
-  static void set(Word* words, std::int32_t index) {
-    words[static_cast<std::size_t>(index) >> 6] |= Word{1} << (static_cast<std::size_t>(index) & 63u);
-  }
   std::int32_t index_of(Literal literal) const { return index_[static_cast<std::size_t>(literal)]; }
 
   bool known_ = false;
-  std::size_t words_ = 0;
-  std::vector<std::int32_t> index_;     // by literal; -1 = not needed
-  std::vector<Word> rows_;              // bit q of row p: p and q can hold together
-  std::vector<std::uint64_t> changed_;  // by index: when its row last grew
-  std::uint64_t now_ = 1;
-  std::vector<Operator> operators_;
-  std::vector<std::vector<std::int32_t>>
-      families_;  // what the conditional effects of an action may add together
-  std::vector<Word> mask_, fresh_;
+  std::vector<std::int32_t> index_;  // by literal; -1 = not needed
+  PairFixpoint pairs_;
 };
 
 }  // namespace goalnet::planner
