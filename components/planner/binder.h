@@ -41,6 +41,8 @@ class Binder {
   // Returns false then, or once the budget has stopped it. On return the variables are as before.
   template <class Visit>
   bool each(const CompiledSchema& schema, const CompiledEffect* effect, bool parameters, const Visit& visit);
+  // Whether one of the atom's variables is not bound.
+  bool any_open(const AtomPattern& atom) const;
   // Equalities and static literals; all variables are bound.
   bool static_part_holds(const Condition& condition) const;
 
@@ -48,7 +50,6 @@ class Binder {
   bool is_open(Term term) const {
     return term.is_variable() && values_[static_cast<std::size_t>(term.slot())] < 0;
   }
-  bool any_open(const AtomPattern& atom) const;
   bool bind(const CompiledSchema& schema, std::int32_t slot, ObjectId object);
   // Whether an equality or a static literal that is already decided says no.
   bool refused(const Condition& condition) const;

@@ -13,6 +13,7 @@ Grounder::Grounder(const CompiledDomain& compiled)
 
 void Grounder::restart() {
   task_->clear();
+  objects_.clear();
   action_table_.clear();
   action_of_entry_.clear();
   for (auto& list : actions_of_schema_) list.clear();

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -54,6 +55,11 @@ class Grounder {
   std::int32_t action_for(std::int32_t schema, bool create);
   bool instantiate(const Condition& condition, std::vector<ConditionId>* result);
   Value instantiate(const Formula& formula);
+  enum class Known { kFalse, kTrue, kOpen };
+  Known known_value(const Formula& formula) const;
+  template <class Visit>
+  void for_each_candidate(const Formula& inner, bool conjunction, std::int32_t slot, const Visit& visit);
+  const std::vector<ObjectId>& objects_of(const TypeSet& types);
   Value instantiate_junction(bool conjunction, std::vector<ConditionId>& children);
   Literal literal_for(const AtomPattern& pattern, bool negative);
   void need(ConditionId condition);
@@ -74,8 +80,9 @@ class Grounder {
 
   Binder binder_;  // of the schema at hand
   Attainable attainable_;
-  AtomTable action_table_;                     // schema and parameters → entry
-  std::vector<std::int32_t> action_of_entry_;  // -1: impossible
+  std::map<TypeSet, std::vector<ObjectId>> objects_;  // found when first asked for
+  AtomTable action_table_;                            // schema and parameters → entry
+  std::vector<std::int32_t> action_of_entry_;         // -1: impossible
   std::vector<std::vector<std::int32_t>> actions_of_schema_;
   std::vector<RawEffect> effects_;                    // that actions were grounded for
   std::vector<RawEffect> side_effects_;               // what else they do to needed literals

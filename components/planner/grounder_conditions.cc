@@ -59,6 +59,106 @@ Grounder::Value Grounder::instantiate_junction(bool conjunction, std::vector<Con
   return {Value::Kind::kCondition, ~static_cast<ConditionId>(task_->junctions.size() - 1)};
 }
 
+// What the static facts and equalities say while some variables are not bound yet.
+Grounder::Known Grounder::known_value(const Formula& formula) const {
+  const auto known = [](bool value) { return value ? Known::kTrue : Known::kFalse; };
+  const auto opposite_of = [](Known value) {
+    return value == Known::kOpen ? value : value == Known::kTrue ? Known::kFalse : Known::kTrue;
+  };
+  switch (formula.kind) {
+    case Formula::Kind::kTrue:
+      return Known::kTrue;
+    case Formula::Kind::kFalse:
+      return Known::kFalse;
+    case Formula::Kind::kEqual:
+      if (binder_.any_open(formula.atom)) return Known::kOpen;
+      return known(formula.atom.arguments[0].resolve(binder_.data()) ==
+                   formula.atom.arguments[1].resolve(binder_.data()));
+    case Formula::Kind::kAtom:
+      if (compiled_.is_fluent[static_cast<std::size_t>(formula.atom.predicate)] != 0) return Known::kOpen;
+      if (binder_.any_open(formula.atom)) return Known::kOpen;
+      return known(index_->holds_initially(formula.atom, binder_.data()));
+    case Formula::Kind::kNot:
+      return opposite_of(known_value(formula.children.front()));
+    case Formula::Kind::kAnd:
+    case Formula::Kind::kOr: {
+      const Known deciding = formula.kind == Formula::Kind::kAnd ? Known::kFalse : Known::kTrue;
+      Known result = opposite_of(deciding);
+      for (const Formula& child : formula.children) {
+        const Known value = known_value(child);
+        if (value == deciding) return deciding;
+        if (value == Known::kOpen) result = value;
+      }
+      return result;
+    }
+    case Formula::Kind::kForall:
+    case Formula::Kind::kExists:
+      return Known::kOpen;
+  }
+  return Known::kOpen;
+}
+
+// The objects that are worth trying for a quantified variable: all of its type, or, where a static fact has
+// to hold (or, under 'forall', must not) for the rest to matter, those for which it does.
+template <class Visit>
+void Grounder::for_each_candidate(const Formula& inner, bool conjunction, std::int32_t slot,
+                                  const Visit& visit) {
+  const TypeSet& types = slots_[static_cast<std::size_t>(slot)];
+  const std::vector<ObjectId>& all = objects_of(types);
+  std::span<const std::int32_t> facts;
+  const AtomPattern* join = nullptr;
+  std::size_t position = 0;
+  const auto consider = [&](const Formula& part) {
+    const bool negative = part.kind == Formula::Kind::kNot;
+    const Formula& atom = negative ? part.children.front() : part;
+    if (atom.kind != Formula::Kind::kAtom || negative != conjunction) return;
+    if (compiled_.is_fluent[static_cast<std::size_t>(atom.atom.predicate)] != 0) return;
+    const TermList& arguments = atom.atom.arguments;
+    const auto mine = std::find(arguments.begin(), arguments.end(), Term::variable(slot));
+    if (mine == arguments.end()) return;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const ObjectId bound = arguments[i].resolve(binder_.data());
+      if (bound < 0) continue;
+      const auto found = index_->facts(atom.atom.predicate, i, bound);
+      if (found.size() >= (join == nullptr ? all.size() : facts.size())) continue;
+      facts = found;
+      join = &atom.atom;
+      position = static_cast<std::size_t>(mine - arguments.begin());
+    }
+  };
+  if (inner.kind == (conjunction ? Formula::Kind::kOr : Formula::Kind::kAnd)) {
+    for (const Formula& part : inner.children) consider(part);
+  } else {
+    consider(inner);
+  }
+  if (join == nullptr) {
+    for (const ObjectId object : all) {
+      if (!visit(object)) return;
+    }
+    return;
+  }
+  std::vector<ObjectId> candidates;
+  for (const std::int32_t fact : facts) {
+    const ObjectId object = index_->problem().initial.arguments(fact)[position];
+    if (index_->problem().object_is_a(object, types)) candidates.push_back(object);
+  }
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  for (const ObjectId object : candidates) {
+    if (!visit(object)) return;
+  }
+}
+
+const std::vector<ObjectId>& Grounder::objects_of(const TypeSet& types) {
+  const auto [place, is_new] = objects_.try_emplace(types);
+  if (is_new) {
+    for (ObjectId object = 0; object < index_->problem().object_count(); ++object) {
+      if (index_->problem().object_is_a(object, types)) place->second.push_back(object);
+    }
+  }
+  return place->second;
+}
+
 Grounder::Value Grounder::instantiate(const Formula& formula) {
   const auto constant = [](bool value) { return Value{value ? Value::Kind::kTrue : Value::Kind::kFalse, 0}; };
   if (stopped_ || budget_->poll()) {
@@ -102,12 +202,13 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
     case Formula::Kind::kForall:
     case Formula::Kind::kExists: {
       const bool conjunction = formula.kind == Formula::Kind::kForall;
+      const Formula& inner = formula.children.front();
       std::vector<ConditionId> children;
       bool decided = false;
       const auto recurse = [&](const auto& self, std::size_t i) -> void {
         if (decided || stopped_) return;
         if (i == formula.slots.size()) {
-          const Value value = instantiate(formula.children.front());
+          const Value value = instantiate(inner);
           if (value.kind == Value::Kind::kCondition) {
             children.push_back(value.condition);
           } else if ((value.kind == Value::Kind::kTrue) != conjunction) {
@@ -115,14 +216,18 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
           }
           return;
         }
-        const auto slot = static_cast<std::size_t>(formula.slots[i]);
-        const Problem& problem = index_->problem();
-        const TypeSet& types = slots_[slot];
-        for (ObjectId object = 0; object < problem.object_count() && !decided; ++object) {
-          if (!problem.object_is_a(object, types)) continue;
-          binder_.values()[slot] = object;
-          self(self, i + 1);
+        if (budget_->poll()) {
+          stopped_ = true;
+          return;
         }
+        const auto slot = static_cast<std::size_t>(formula.slots[i]);
+        for_each_candidate(inner, conjunction, formula.slots[i], [&](ObjectId object) {
+          binder_.values()[slot] = object;
+          const Known known = known_value(inner);
+          // What is the same whatever the other variables are need not be written out for all of them.
+          if (known == Known::kOpen || (known == Known::kTrue) != conjunction) self(self, i + 1);
+          return !decided && !stopped_;
+        });
         binder_.values()[slot] = -1;
       };
       recurse(recurse, 0);
