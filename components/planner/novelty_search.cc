@@ -1,8 +1,12 @@
 #include "components/planner/novelty_search.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace goalnet::planner {
+namespace {
+constexpr std::size_t kMostAtomsForPairs = 3000;  // 1.1 MB for each number of missing landmarks
+}  // namespace
 
 bool NoveltySearch::is_new(const GroundTask& task, const Word* state, std::int32_t missing) {
   const std::size_t words = task.words();
@@ -22,15 +26,59 @@ bool NoveltySearch::is_new(const GroundTask& task, const Word* state, std::int32
   return fresh != 0;
 }
 
+bool NoveltySearch::is_new_pair(const GroundTask& task, const Word* state, const Word* before,
+                                std::int32_t missing) {
+  if (task.initial.size() > kMostAtomsForPairs) return false;
+  const std::size_t words = task.words();
+  const auto i = static_cast<std::size_t>(missing);
+  if (seen_pairs_.size() <= i) seen_pairs_.resize(i + 1);
+  std::vector<Word>& seen = seen_pairs_[i];
+  if (seen.empty()) {
+    seen.resize(task.initial.size() * words, 0);
+    pair_bytes_ += seen.size() * sizeof(Word);
+  }
+  bool any = false;
+  for (std::size_t w = 0; w < words; ++w) {
+    for (Word atoms = before == nullptr ? state[w] : state[w] & ~before[w]; atoms != 0; atoms &= atoms - 1) {
+      const std::size_t a = 64 * w + static_cast<std::size_t>(std::countr_zero(atoms));
+      Word* const row = seen.data() + a * words;
+      for (std::size_t v = 0; v < words; ++v) {
+        Word fresh = state[v] & ~row[v];
+        any = any || fresh != 0;
+        row[v] |= fresh;
+        for (; fresh != 0; fresh &= fresh - 1) {
+          const std::size_t b = 64 * v + static_cast<std::size_t>(std::countr_zero(fresh));
+          seen[b * words + (a >> 6)] |= Word{1} << (a & 63u);
+        }
+      }
+    }
+  }
+  return any;
+}
+
+void NoveltySearch::forget_seen() {
+  seen_true_.clear();
+  seen_false_.clear();
+  seen_pairs_.clear();
+  pair_bytes_ = 0;
+}
+
 std::int32_t NoveltySearch::push(const GroundTask& task, Landmarks& landmarks, std::int32_t id,
                                  bool committed) {
   const std::int32_t missing = landmarks.missing(states_.state(id), reached(id));
-  heap_.push({is_new(task, states_.state(id), missing) ? 0 : 1, committed ? 0 : missing, id});
+  Node& node = nodes_[static_cast<std::size_t>(id)];
+  node.missing = missing;
+  const bool as_before = node.parent >= 0 && nodes_[static_cast<std::size_t>(node.parent)].missing == missing;
+  const Word* before = as_before ? states_.state(node.parent) : nullptr;
+  const bool new_literal = is_new(task, states_.state(id), missing);
+  const bool new_pair = is_new_pair(task, states_.state(id), before, missing);
+  heap_.push({new_literal ? 0 : new_pair ? 1 : 2, committed ? 0 : missing, id});
   return missing;
 }
 
 std::int64_t NoveltySearch::bytes() const {
-  return states_.bytes() + static_cast<std::int64_t>(reached_.bytes() + heap_.bytes() + nodes_.bytes());
+  return states_.bytes() +
+         static_cast<std::int64_t>(reached_.bytes() + heap_.bytes() + nodes_.bytes() + pair_bytes_);
 }
 
 NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& landmarks, const Word* initial,
@@ -42,8 +90,7 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
   states_.restart(words, false);
   nodes_.clear();
   heap_.clear();
-  seen_true_.clear();
-  seen_false_.clear();
+  forget_seen();
   landmark_words_ = landmarks.words();
   reached_.restart(landmark_words_);
   next_.resize(words);
@@ -92,8 +139,7 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
       if (!committed) continue;
       heap_.clear();
       heap_.push({0, 0, child});
-      seen_true_.clear();
-      seen_false_.clear();
+      forget_seen();
       break;
     }
     if (result == Result::kExhausted && states_.size() > most_states) result = Result::kLimit;

@@ -1,8 +1,8 @@
 // Best-first search for something new (Lipovetzky and Geffner, AAAI 2017, best-first width search): states
-// with a literal never seen before among states with as many landmarks missing come first, those with fewer
-// missing before others. It computes no relaxed plans, so that it makes many more states than the other
-// searches, and plateaus do not hold it up for long: per number of missing landmarks there are at most as
-// many new states as literals.
+// with a literal never seen before among states with as many landmarks missing come first, then those with a
+// pair of atoms never seen together, and among equals those with fewer missing. It computes no relaxed plans,
+// so that it makes many more states than the other searches, and plateaus do not hold it up for long: per
+// number of missing landmarks there are at most as many new states as literals.
 //
 // Committed, it forgets all other states whenever fewer landmarks are missing than ever before: the way to
 // large plans, but it may end where nothing leads on.
@@ -39,9 +39,10 @@ class NoveltySearch {
     std::int64_t g = 0;
     std::int32_t parent = -1;
     std::int32_t action = -1;
+    std::int32_t missing = 0;
   };
   struct Entry {
-    std::int32_t old = 0;  // 0: with something new
+    std::int32_t old = 0;  // 0: with a new literal; 1: with a new pair; 2: with neither
     std::int32_t missing = 0;
     std::int32_t node = 0;
     bool operator<(const Entry& other) const {
@@ -52,8 +53,11 @@ class NoveltySearch {
   };
 
   bool is_new(const GroundTask& task, const Word* state, std::int32_t missing);
+  // Looks at the pairs with an atom that does not hold in `before`, a state with as many missing, or null.
+  bool is_new_pair(const GroundTask& task, const Word* state, const Word* before, std::int32_t missing);
   // The number of landmarks missing in the state.
   std::int32_t push(const GroundTask& task, Landmarks& landmarks, std::int32_t id, bool committed);
+  void forget_seen();
   const Word* reached(std::int32_t id) { return reached_[static_cast<std::size_t>(id)]; }
   std::int64_t bytes() const;
 
@@ -64,6 +68,8 @@ class NoveltySearch {
   Rows reached_;  // by state: landmarks
   std::size_t landmark_words_ = 1;
   std::vector<std::vector<Word>> seen_true_, seen_false_;  // by number of missing landmarks: atoms
+  std::vector<std::vector<Word>> seen_pairs_;              // likewise: a row of atoms for every atom
+  std::size_t pair_bytes_ = 0;
   std::vector<Word> next_, next_reached_;
   std::vector<std::int32_t> applicable_, plan_;
 };
