@@ -67,6 +67,97 @@ bool Interpreter::for_each_binding(std::span<const std::int32_t> variables, std:
   return true;
 }
 
+bool Interpreter::decided(const Formula& inner, bool universal, const std::vector<ObjectId>& binding,
+                          const AtomSet& state) const {
+  const auto decides = [&](const Formula& part) {
+    const bool negative = part.kind == Formula::Kind::kNot;
+    const Formula& atom = negative ? part.children.front() : part;
+    if (atom.kind != Formula::Kind::kAtom || problem_.domain().is_derived(atom.atom.predicate)) return false;
+    const auto& arguments = atom.atom.arguments;
+    const bool open = std::any_of(arguments.begin(), arguments.end(),
+                                  [&](Term term) { return term.resolve(binding.data()) < 0; });
+    return !open && (atom_holds(atom.atom, binding, state) != negative) == universal;
+  };
+  if (inner.kind != (universal ? Formula::Kind::kOr : Formula::Kind::kAnd)) return decides(inner);
+  return std::any_of(inner.children.begin(), inner.children.end(), decides);
+}
+
+const std::vector<ObjectId>& Interpreter::partners(PredicateId predicate, std::size_t given, ObjectId object,
+                                                   std::size_t wanted) const {
+  auto& by_object = partners_[{predicate, given, wanted}];
+  if (by_object.empty()) {
+    by_object.resize(static_cast<std::size_t>(problem_.object_count()));
+    for (std::int32_t atom = 0; atom < problem_.initial.size(); ++atom) {
+      if (problem_.initial.predicate(atom) != predicate) continue;
+      const auto arguments = problem_.initial.arguments(atom);
+      by_object[static_cast<std::size_t>(arguments[given])].push_back(arguments[wanted]);
+    }
+  }
+  return by_object[static_cast<std::size_t>(object)];
+}
+
+const std::vector<ObjectId>* Interpreter::candidates(const Formula& inner, bool universal, std::int32_t slot,
+                                                     std::size_t most,
+                                                     const std::vector<ObjectId>& binding) const {
+  const Domain& domain = problem_.domain();
+  if (fixed_.empty()) {
+    fixed_.assign(static_cast<std::size_t>(domain.predicates.size()), 1);
+    const auto note = [&](const auto& self, const Effect& effect) -> void {
+      if (effect.kind == Effect::Kind::kAdd || effect.kind == Effect::Kind::kDelete) {
+        fixed_[static_cast<std::size_t>(effect.atom.predicate)] = 0;
+      }
+      for (const Effect& child : effect.children) self(self, child);
+    };
+    for (const ActionSchema& action : domain.actions) note(note, action.effect);
+    for (const DerivedPredicate& definition : domain.derived) {
+      fixed_[static_cast<std::size_t>(definition.predicate)] = 0;
+    }
+  }
+  const std::vector<ObjectId>* best = nullptr;
+  const auto consider = [&](const Formula& part) {
+    const bool negative = part.kind == Formula::Kind::kNot;
+    const Formula& atom = negative ? part.children.front() : part;
+    if (atom.kind != Formula::Kind::kAtom || negative != universal) return;
+    if (fixed_[static_cast<std::size_t>(atom.atom.predicate)] == 0) return;
+    const auto& arguments = atom.atom.arguments;
+    const auto mine = std::find(arguments.begin(), arguments.end(), Term::variable(slot));
+    if (mine == arguments.end()) return;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const ObjectId bound = arguments[i].resolve(binding.data());
+      if (bound < 0) continue;
+      const auto& found =
+          partners(atom.atom.predicate, i, bound, static_cast<std::size_t>(mine - arguments.begin()));
+      if (found.size() < (best == nullptr ? most : best->size())) best = &found;
+    }
+  };
+  if (inner.kind != (universal ? Formula::Kind::kOr : Formula::Kind::kAnd)) {
+    consider(inner);
+  } else {
+    for (const Formula& part : inner.children) consider(part);
+  }
+  return best;
+}
+
+template <class Visit>
+bool Interpreter::quantified(std::span<const std::int32_t> variables, std::size_t index, const Formula& inner,
+                             bool universal, std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
+                             const AtomSet& state, const Visit& visit) const {
+  if (index == variables.size()) return visit();
+  const auto slot = static_cast<std::size_t>(variables[index]);
+  const std::vector<ObjectId>& all = objects(slots[slot]);
+  const std::vector<ObjectId>* some = candidates(inner, universal, variables[index], all.size(), binding);
+  for (const ObjectId id : some == nullptr ? all : *some) {
+    if (some != nullptr && !problem_.object_is_a(id, slots[slot])) continue;
+    binding[slot] = id;
+    if (decided(inner, universal, binding, state)) continue;
+    if (quantified(variables, index + 1, inner, universal, slots, binding, state, visit) != universal) {
+      return !universal;
+    }
+  }
+  binding[slot] = -1;
+  return universal;
+}
+
 void Interpreter::complete(AtomSet& state) const {
   const Domain& domain = problem_.domain();
   if (!domain.has_recursion()) return;
@@ -81,14 +172,15 @@ void Interpreter::complete(AtomSet& state) const {
         if (domain.layer[static_cast<std::size_t>(definition.predicate)] != layer) continue;
         std::vector<std::int32_t> parameters(static_cast<std::size_t>(definition.parameter_count));
         std::iota(parameters.begin(), parameters.end(), 0);
-        std::vector<ObjectId> binding(definition.slots.size(), 0);
-        for_each_binding(parameters, 0, definition.slots, binding, [&] {
-          if (state.contains(definition.predicate, binding.data(), parameters.size())) return true;
+        std::vector<ObjectId> binding(definition.slots.size(), -1);
+        // Nothing makes it stop early: it goes on as if nothing had been found yet.
+        quantified(parameters, 0, definition.body, false, definition.slots, binding, state, [&] {
+          if (state.contains(definition.predicate, binding.data(), parameters.size())) return false;
           std::vector<ObjectId> inner = binding;
-          if (!holds(definition.body, definition.slots, inner, state)) return true;
+          if (!holds(definition.body, definition.slots, inner, state)) return false;
           state.set(definition.predicate, binding.data(), parameters.size(), true);
           grows = true;
-          return true;
+          return false;
         });
       }
     }
@@ -131,11 +223,12 @@ bool Interpreter::holds(const Formula& formula, std::span<const TypeSet> slots,
     case Formula::Kind::kOr:
       return std::any_of(formula.children.begin(), formula.children.end(), child);
     case Formula::Kind::kForall:
-      return for_each_binding(formula.slots, 0, slots, binding,
-                              [&] { return child(formula.children.front()); });
-    case Formula::Kind::kExists:
-      return !for_each_binding(formula.slots, 0, slots, binding,
-                               [&] { return !child(formula.children.front()); });
+    case Formula::Kind::kExists: {
+      const Formula& inner = formula.children.front();
+      for (const std::int32_t slot : formula.slots) binding[static_cast<std::size_t>(slot)] = -1;
+      return quantified(formula.slots, 0, inner, formula.kind == Formula::Kind::kForall, slots, binding,
+                        state, [&] { return child(inner); });
+    }
   }
   return false;
 }

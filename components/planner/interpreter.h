@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "components/planner/atom_table.h"
@@ -74,6 +75,21 @@ class Interpreter {
   bool for_each_binding(std::span<const std::int32_t> variables, std::size_t index,
                         std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
                         const Visit& visit) const;
+  // The value of a quantifier over `inner`, which visit() judges once all variables are bound. Bindings that
+  // decide nothing (something under 'exists' does not hold, something under 'forall' does) are left out as
+  // early as that shows.
+  template <class Visit>
+  bool quantified(std::span<const std::int32_t> variables, std::size_t index, const Formula& inner,
+                  bool universal, std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
+                  const AtomSet& state, const Visit& visit) const;
+  // Whether a part of `inner` without open variables (-1) makes all of it true (universal) or false.
+  bool decided(const Formula& inner, bool universal, const std::vector<ObjectId>& binding,
+               const AtomSet& state) const;
+  // What `slot` can be for the facts that never change to allow it, if that is fewer than all of its type.
+  const std::vector<ObjectId>* candidates(const Formula& inner, bool universal, std::int32_t slot,
+                                          std::size_t most, const std::vector<ObjectId>& binding) const;
+  const std::vector<ObjectId>& partners(PredicateId predicate, std::size_t given, ObjectId object,
+                                        std::size_t wanted) const;
   bool atom_holds(const AtomPattern& atom, const std::vector<ObjectId>& binding, const AtomSet& state) const;
   void collect(const Effect& effect, std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
                const AtomSet& state, std::vector<AtomChange>* added, std::vector<AtomChange>* deleted) const;
@@ -82,7 +98,12 @@ class Interpreter {
 
   const Problem& problem_;
   std::vector<std::vector<const DerivedPredicate*>> definitions_;  // by predicate, of those without a layer
-  mutable std::map<TypeSet, std::vector<ObjectId>> objects_;       // found when first asked for
+  // Found when first asked for:
+  mutable std::map<TypeSet, std::vector<ObjectId>> objects_;
+  mutable std::vector<std::uint8_t> fixed_;  // by predicate: nothing changes it
+  // By predicate, place given, place wanted: by the object given, the objects of the facts that have it.
+  mutable std::map<std::tuple<PredicateId, std::size_t, std::size_t>, std::vector<std::vector<ObjectId>>>
+      partners_;
 };
 
 }  // namespace goalnet::planner
