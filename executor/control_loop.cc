@@ -148,8 +148,11 @@ void ControlLoop::check_tracking() noexcept {
       status_.tracking_joint = static_cast<std::uint32_t>(j);
     }
     const double tolerance = params_.joints[j].tracking_tolerance;
-    if (tolerance > 0.0 && error > tolerance && status_.state == ExecutorState::kExecuting)
-      begin_stop({LoopReason::kTracking, static_cast<std::uint32_t>(j), error}, ExecutorState::kIdle);
+    if (tolerance <= 0.0 || error <= tolerance) continue;
+    const LoopVerdict verdict{LoopReason::kTracking, static_cast<std::uint32_t>(j), error};
+    if (status_.state == ExecutorState::kExecuting) begin_stop(verdict, ExecutorState::kIdle);
+    // Pushed away while it stood: it does not press back for ever either.
+    if (status_.state == ExecutorState::kIdle) end_motion(ExecutorState::kIdle, verdict);
   }
   status_.tracking_error = largest;
 }
@@ -171,7 +174,9 @@ void ControlLoop::move(std::int64_t dt_ns) noexcept {
     return;
   }
   JointSample target = hold_;
-  if (trajectory_ != nullptr) {
+  if (giving_way_) {
+    target = give_way_.advance(dt);
+  } else if (trajectory_ != nullptr) {
     double rate = 1.0;
     if (status_.state == ExecutorState::kStopping) {
       motion_ns_ = stop_.advance(dt_ns);
@@ -189,10 +194,11 @@ void ControlLoop::move(std::int64_t dt_ns) noexcept {
 }
 
 void ControlLoop::check_arrival(std::int64_t dt_ns) noexcept {
-  if (trajectory_ == nullptr) return;
   const bool caught_up = guard_.lag() == 0.0 && guard_.standing();
+  if (giving_way_ && give_way_.finished() && caught_up) finish(after_stop_, stop_verdict_);
+  if (trajectory_ == nullptr) return;
   if (status_.state == ExecutorState::kStopping) {
-    if (stop_.finished() && caught_up) finish(after_stop_, stop_verdict_);
+    if (stop_.finished() && caught_up) end_motion(after_stop_, stop_verdict_);
     return;
   }
   if (motion_ns_ < motion_.end_ns() || !caught_up) return;
@@ -202,14 +208,27 @@ void ControlLoop::check_arrival(std::int64_t dt_ns) noexcept {
     if (tolerance <= 0.0 || error <= tolerance) continue;
     settling_ns_ += dt_ns;
     if (1e-9 * static_cast<double>(settling_ns_) < params_.settle_time) return;
-    return finish(ExecutorState::kIdle, {LoopReason::kGoalMissed, static_cast<std::uint32_t>(j), error});
+    return end_motion(ExecutorState::kIdle, {LoopReason::kGoalMissed, static_cast<std::uint32_t>(j), error});
   }
   finish(ExecutorState::kIdle, {LoopReason::kDone, 0, 0.0});
+}
+
+// The command stands. Where joints are far from it, it goes to them before the robot is idle: the next motion
+// is planned from where they are.
+void ControlLoop::end_motion(ExecutorState state, LoopVerdict verdict) noexcept {
+  const bool far =
+      state == ExecutorState::kIdle && give_way_.begin(guard_.command(), measured_, params_.joints);
+  finish(far ? ExecutorState::kStopping : state, verdict);
+  if (!far) return;
+  giving_way_ = true;
+  after_stop_ = state;
+  stop_verdict_ = verdict;
 }
 
 void ControlLoop::finish(ExecutorState state, LoopVerdict verdict) noexcept {
   if (trajectory_ != nullptr) hand_back(trajectory_);
   trajectory_ = nullptr;
+  giving_way_ = false;
   hold_.position = guard_.command().position;
   hold_.velocity.fill(0.0);
   status_.state = state;

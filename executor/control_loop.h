@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "executor/executor_params.h"
+#include "executor/give_way.h"
 #include "executor/joint_sample.h"
 #include "executor/limit_guard.h"
 #include "executor/loop_exchange.h"
@@ -33,6 +34,7 @@ class ControlLoop {
   void begin_stop(LoopVerdict verdict, ExecutorState after) noexcept;
   void move(std::int64_t dt_ns) noexcept;
   void check_arrival(std::int64_t dt_ns) noexcept;
+  void end_motion(ExecutorState state, LoopVerdict verdict) noexcept;
   void finish(ExecutorState state, LoopVerdict verdict) noexcept;
   void hand_back(PreparedTrajectory* trajectory) noexcept;
 
@@ -42,6 +44,7 @@ class ControlLoop {
   LimitGuard guard_;
   Motion motion_;
   SmoothStop stop_;
+  GiveWay give_way_;
 
   PreparedTrajectory* trajectory_ = nullptr;  // followed now
   std::int64_t motion_ns_ = 0;                // how far along it
@@ -50,6 +53,7 @@ class ControlLoop {
   JointSample measured_;                      // last finite measurement
   bool measured_now_ = false;                 // ... of this cycle
   bool started_ = false;                      // a first measurement has come
+  bool giving_way_ = false;                   // the command goes to where the joints are; state STOPPING
   bool braking_ = false;                      // emergency stop: until reset()
   std::uint32_t emergency_stops_seen_ = 0;
   std::int64_t last_time_ns_ = 0;

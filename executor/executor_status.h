@@ -12,7 +12,7 @@ namespace goalnet::executor {
 enum class ExecutorState : std::uint8_t {
   kIdle = 0,       // holds its position
   kExecuting = 1,  // follows a trajectory
-  kStopping = 2,   // decelerates to standstill; takes no trajectory
+  kStopping = 2,   // comes to standstill, or gives way; takes no trajectory
   kFault = 3,      // holds; takes no trajectory until reset()
 };
 

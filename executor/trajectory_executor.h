@@ -42,6 +42,13 @@ class TrajectoryExecutor {
   // still refuse it, because it starts elsewhere or because of a stop or fault meanwhile: see status().
   Expected<std::uint64_t> submit(const JointTrajectory& trajectory);
 
+  // A joint that does not follow (tracking or goal tolerance) ends the trajectory as kMotionFailed: the robot
+  // slows down along the path, then the command of the joints that are off returns smoothly to where they are
+  // measured (GiveWay; state STOPPING), then it is IDLE: nothing presses against what blocks the joint,
+  // nothing jumps when it comes free, and a trajectory from the measured position is accepted. The same
+  // happens at the end of stop(), and when a standing joint is pushed farther away than its tracking
+  // tolerance.
+
   // Other thread. Slows down along the path, within limits, to standstill; the trajectory ends as kCancelled.
   void stop();
 

@@ -41,6 +41,7 @@ Expected<void> ActionRunner::start(const Action& action) {
   first_failure_.clear();
   phases_.clear();
   phase_ = 0;
+  seen_ready_at_ns_ = -1;
   stage_ = "planning";
   state_ = State::kPlanning;
   return {};
@@ -60,6 +61,7 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
   Orders orders;
   if (!running()) return orders;
   now_ns_ = world.time_ns;
+  if (seen_ready_at_ns_ < 0) seen_ready_at_ns_ = now_ns_;
   if (cancelled_ && state_ != State::kStopping) {
     if (state_ == State::kMoving) {
       orders.stop = true;
@@ -88,6 +90,14 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
     bench_.observe(world);
     settle();
   }
+  // Still coming to rest after something that no motion of ours waited for: somebody pushed the standing
+  // robot.
+  if (status.state == executor::ExecutorState::kStopping) {
+    if (now_ns_ - seen_ready_at_ns_ > kExecutorSlack && running())
+      finish(Outcome::kComponentLost, "the executor does not come to rest; is it running?");
+    return orders;
+  }
+  seen_ready_at_ns_ = now_ns_;
   // An attempt that fails in planning is followed by the next at once: the robot stands still meanwhile.
   while ((state_ == State::kPlanning || state_ == State::kNextPhase) && !orders.send) {
     if (bench_.stopped()) {

@@ -64,6 +64,7 @@ class ActionRunner {
   std::int64_t sent_at_ns_ = 0;
   std::int64_t sent_again_at_ns_ = 0;
   std::int64_t settled_at_ns_ = 0;
+  std::int64_t seen_ready_at_ns_ = -1;  // when the executor last was not coming to rest; -1: not yet known
   std::int64_t now_ns_ = 0;
   bool cancelled_ = false;
   double planning_time_ = 0;

@@ -63,6 +63,20 @@ class PhysicalFault : public testing::Test {
     EXPECT_LT(fastest, 0.02);
   }
 
+  double joint_position(const std::string& name) {
+    const int joint = loop_->world().robot().index_of(name);
+    return loop_->world().robot_joint(static_cast<std::size_t>(joint)).position;
+  }
+  // No servo pushes hard: holding up its own weight takes less than half of what a joint of the arm can do.
+  void expect_nothing_presses() {
+    const auto& world = loop_->world();
+    for (std::size_t j = 0; j < world.robot_joint_count(); ++j) {
+      const auto& joint = world.robot().joints[j];
+      if (joint.name.find("_arm_") == std::string::npos) continue;
+      EXPECT_LT(std::abs(world.robot_joint(j).effort), 0.5 * joint.limits.effort) << joint.name;
+    }
+  }
+
   std::unique_ptr<LockstepLoop> loop_;
   coordinator::Report last_;
   WorldState world_;
@@ -125,7 +139,9 @@ TEST_F(PhysicalFault, TheHandLosesTheMug) {
   expect_at_rest();
 }
 
-TEST_F(PhysicalFault, AJointIsBlocked) {
+// For good: every attempt fails for the same reason, which the message names, and nothing presses against
+// what blocks the joint when the run is over.
+TEST_F(PhysicalFault, BothArmsAreBlockedForGood) {
   loop_->pursue(kMugInSink);
   ASSERT_TRUE(run_until_action("grasp Mug_1"));
   for (const char* joint : {"left_arm_4", "right_arm_4"}) loop_->world().freeze_joint(joint, true);
@@ -133,6 +149,31 @@ TEST_F(PhysicalFault, AJointIsBlocked) {
   EXPECT_EQ(last_.outcome, Outcome::kMotionFailed) << last_.message;
   EXPECT_THAT(last_.message, testing::HasSubstr("_arm_4"));
   expect_at_rest();
+  expect_nothing_presses();
+  // Freed afterwards, it does not jump, and the next instruction is carried out.
+  const auto elbows = [&] { return std::pair(joint_position("left_arm_4"), joint_position("right_arm_4")); };
+  const auto [left, right] = elbows();
+  for (const char* joint : {"left_arm_4", "right_arm_4"}) loop_->world().freeze_joint(joint, false);
+  go_on(1.0);
+  EXPECT_NEAR(elbows().first, left, 0.06);  // goal tolerance: what is nearer keeps its command
+  EXPECT_NEAR(elbows().second, right, 0.06);
+  last_ = {};
+  loop_->pursue(kMugInSink);
+  run_to_the_end();
+  EXPECT_EQ(last_.outcome, Outcome::kDone) << last_.message;
+  EXPECT_TRUE(holds("On Mug_1 Sink"));
+}
+
+TEST_F(PhysicalFault, AnArmIsBlockedForAWhile) {
+  loop_->pursue(kMugInSink);
+  ASSERT_TRUE(run_until_action("grasp Mug_1"));
+  for (const char* joint : {"left_arm_2", "right_arm_2"}) loop_->world().freeze_joint(joint, true);
+  go_on(6.0);
+  EXPECT_FALSE(last_.finished) << "it goes on trying: " << last_.message;
+  for (const char* joint : {"left_arm_2", "right_arm_2"}) loop_->world().freeze_joint(joint, false);
+  run_to_the_end();
+  EXPECT_EQ(last_.outcome, Outcome::kDone) << last_.message;
+  EXPECT_TRUE(holds("On Mug_1 Sink"));
 }
 
 TEST_F(PhysicalFault, TheTapIsDead) {
