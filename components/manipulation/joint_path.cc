@@ -57,19 +57,22 @@ JointPath round_corners(const JointPath& corners, const JointVector& scale, doub
   return out;
 }
 
-JointPath through_points(const JointPath& given, const JointVector& scale, double spacing) {
-  JointPath points;
-  for (const auto& p : given) {
-    if (points.empty() || scaled_distance(points.back(), p, scale) > 1e-6) points.push_back(p);
-  }
-  if (points.size() < 2) return points;
+bool turns_sharply(const JointVector& before, const JointVector& at, const JointVector& after,
+                   const JointVector& scale) {
+  const JointVector in = (at - before).cwiseProduct(scale), out = (after - at).cwiseProduct(scale);
+  return in.dot(out) < 0.5 * in.norm() * out.norm();  // 60 degrees
+}
+
+namespace {
+
+// The curve between sharp corners; `points` are distinct.
+void append_curve(JointPath& out, const JointPath& points, const JointVector& scale, double spacing) {
   const auto at = [&](std::ptrdiff_t i) -> JointVector {
     if (i < 0) return 2 * points[0] - points[1];
     const auto n = static_cast<std::ptrdiff_t>(points.size());
     if (i >= n) return 2 * points[points.size() - 1] - points[points.size() - 2];
     return points[static_cast<std::size_t>(i)];
   };
-  JointPath out{points.front()};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const auto k = static_cast<std::ptrdiff_t>(i);
     const JointVector p0 = at(k - 1), p1 = at(k), p2 = at(k + 1), p3 = at(k + 2);
@@ -85,6 +88,23 @@ JointPath through_points(const JointPath& given, const JointVector& scale, doubl
       out.push_back((2 * u3 - 3 * u2 + 1) * p1 + (u3 - 2 * u2 + u) * m1 + (-2 * u3 + 3 * u2) * p2 +
                     (u3 - u2) * m2);
     }
+  }
+}
+
+}  // namespace
+
+JointPath through_points(const JointPath& given, const JointVector& scale, double spacing) {
+  JointPath points;
+  for (const auto& p : given) {
+    if (points.empty() || scaled_distance(points.back(), p, scale) > 1e-6) points.push_back(p);
+  }
+  if (points.size() < 2) return points;
+  JointPath out{points.front()}, piece{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    piece.push_back(points[i]);
+    if (i + 1 < points.size() && !turns_sharply(points[i - 1], points[i], points[i + 1], scale)) continue;
+    append_curve(out, piece, scale, spacing);
+    piece = {points[i]};
   }
   return out;
 }

@@ -22,8 +22,14 @@ JointPath round_corners(const JointPath& corners, const JointVector& scale, doub
                         const IsFree& is_free);
 
 // A dense curve with continuous slope through all points (centripetal Catmull-Rom): for points that follow a
-// line of the tool. Neighbouring points must be near each other already.
+// line of the tool. Neighbouring points must be near each other already. Where the points turn sharply the
+// curve has a corner: rounded, it would swing out towards what the line kept clear of.
 JointPath through_points(const JointPath& points, const JointVector& scale, double spacing);
+
+// Whether a path turns by more than 60 degrees at a point. Nothing with mass goes round such a corner:
+// time_path stops there.
+bool turns_sharply(const JointVector& before, const JointVector& at, const JointVector& after,
+                   const JointVector& scale);
 
 // Largest scaled difference of any joint.
 double scaled_distance(const JointVector& a, const JointVector& b, const JointVector& scale);

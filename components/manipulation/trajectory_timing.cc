@@ -62,16 +62,13 @@ double duration_s(const JointTrajectory& trajectory) {
   return trajectory.points.empty() ? 0.0 : static_cast<double>(trajectory.points.back().time_ns) * 1e-9;
 }
 
-JointTrajectory time_path(const TimedJoints& joints, const JointPath& given) {
+namespace {
+
+// A smooth path of at least two points, all distinct.
+JointTrajectory time_smooth_path(const TimedJoints& joints, JointPath path) {
   JointTrajectory out;
   out.joints = joints.names;
-  const JointVector scale = joints.velocity.cwiseInverse();  // path length in seconds at full speed
-  JointPath path;
-  for (const auto& q : given) {
-    if (path.empty() || scaled_distance(path.back(), q, scale) > 1e-5) path.push_back(q);
-  }
-  if (!given.empty() && path.size() > 1) path.back() = given.back();
-  if (path.size() < 2) return out;
+  const JointVector scale = joints.velocity.cwiseInverse();
   // Both ends rest: a path needs points between them to have any speed at all.
   while (path.size() < 9) {
     JointPath finer{path.front()};
@@ -117,6 +114,37 @@ JointTrajectory time_path(const TimedJoints& joints, const JointPath& given) {
     point.position = to_vector(path[i]);
     point.velocity = to_vector(slopes.first[i] * std::sqrt(speed2[i]));
     out.points.push_back(std::move(point));
+  }
+  return out;
+}
+
+// One after the other; `next` begins where `first` ends.
+void append(JointTrajectory& first, JointTrajectory next) {
+  const std::int64_t start = first.points.empty() ? 0 : first.points.back().time_ns;
+  for (std::size_t i = first.points.empty() ? 0 : 1; i < next.points.size(); ++i) {
+    next.points[i].time_ns += start;
+    first.points.push_back(std::move(next.points[i]));
+  }
+}
+
+}  // namespace
+
+JointTrajectory time_path(const TimedJoints& joints, const JointPath& given) {
+  JointTrajectory out;
+  out.joints = joints.names;
+  const JointVector scale = joints.velocity.cwiseInverse();  // path length in seconds at full speed
+  JointPath path;
+  for (const auto& q : given) {
+    if (path.empty() || scaled_distance(path.back(), q, scale) > 1e-5) path.push_back(q);
+  }
+  if (path.size() < 2) return out;
+  path.back() = given.back();
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (i + 1 < path.size() && !turns_sharply(path[i - 1], path[i], path[i + 1], scale)) continue;
+    append(out, time_smooth_path(joints, JointPath(path.begin() + static_cast<std::ptrdiff_t>(first),
+                                                   path.begin() + static_cast<std::ptrdiff_t>(i) + 1)));
+    first = i;
   }
   return out;
 }

@@ -17,10 +17,11 @@ struct TimedJoints {
   JointVector acceleration;  // [rad/s^2 or m/s^2]
 };
 
-// Along a dense path with continuous slope. Method: forward and backward passes over the squared path speed
-// under velocity and acceleration limits (Bobrow, Dubowsky, Gibson, "Time-Optimal Control of Robotic
-// Manipulators Along Specified Paths", IJRR 4(3), 1985), here with kinematic limits only. A path of fewer
-// than two distinct points gives a trajectory without points: nothing to move.
+// Along a dense path with continuous slope but for sharp corners (turns_sharply), where the motion stops: the
+// executor's cubics between points would leave a path that turns at once. Method: forward and backward passes
+// over the squared path speed under velocity and acceleration limits (Bobrow, Dubowsky, Gibson, "Time-Optimal
+// Control of Robotic Manipulators Along Specified Paths", IJRR 4(3), 1985), here with kinematic limits only.
+// A path of fewer than two distinct points gives a trajectory without points: nothing to move.
 JointTrajectory time_path(const TimedJoints& joints, const JointPath& path);
 
 // Straight to a goal with KDL's trapezoidal profile, all joints together. `speed` scales velocities down,
