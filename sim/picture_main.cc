@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "components/robot/robot_model.h"
-#include "components/scene/scene.h"
+#include "components/setting/setting.h"
 #include "sim/render.h"
 #include "sim/world.h"
 
@@ -45,13 +44,11 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
   }
-  auto scene = scene::load_scene(scene_name);
-  if (!scene) return refuse(scene.error());
-  auto robot = robot::load_robot(robot_name);
-  if (!robot) return refuse(robot.error());
+  const auto setting = load_setting(scene_name, robot_name);
+  if (!setting) return refuse(setting.error());
   sim::WorldOptions options;
   options.seed = seed;
-  auto world = sim::World::create(*scene, *robot, options);
+  auto world = sim::World::create(setting->scene, setting->robot, options);
   if (!world) return refuse(world.error());
   sim::Camera camera;
   camera.eye = {eye[0], eye[1], eye[2]};

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "components/setting/setting.h"
+
 namespace goalnet::manipulation {
 
 void ManipulationNode::describe(ros::ParameterSet& set, Params& params) {
@@ -27,11 +29,9 @@ void ManipulationNode::interrupt() {
 }
 
 Expected<void> ManipulationNode::on_configure() {
-  auto scene = scene::load_scene(params_.scene);
-  if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
-  auto robot = robot::load_robot(params_.robot.empty() ? "default" : params_.robot);
-  if (!robot) return tl::unexpected<Error>(std::move(robot.error()));
-  auto bench = Workbench::create(std::move(*robot), std::move(*scene), params_.core);
+  auto setting = load_setting(params_.scene, params_.robot);
+  if (!setting) return tl::unexpected<Error>(std::move(setting.error()));
+  auto bench = Workbench::create(std::move(setting->robot), std::move(setting->scene), params_.core);
   if (!bench) return tl::unexpected<Error>(std::move(bench.error()));
   bench_ = std::move(*bench);
   return {};

@@ -19,17 +19,14 @@ VisualizationNode::VisualizationNode(ros::Node& node) : ManagedComponent(node) {
 }
 
 Expected<void> VisualizationNode::on_configure() {
-  auto scene = scene::load_scene(params_.scene);
-  if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
-  auto robot = robot::load_robot(params_.robot.empty() ? "default" : params_.robot);
-  if (!robot) return tl::unexpected<Error>(std::move(robot.error()));
-  scene_.emplace(std::move(*scene));
-  robot_.emplace(std::move(*robot));
+  auto setting = load_setting(params_.scene, params_.robot);
+  if (!setting) return tl::unexpected<Error>(std::move(setting.error()));
+  setting_.emplace(std::move(*setting));
   return {};
 }
 
 Expected<void> VisualizationNode::on_activate() {
-  session_ = std::make_unique<VisualizationSession>(node_, *scene_, *robot_, params_.rate);
+  session_ = std::make_unique<VisualizationSession>(node_, setting_->scene, setting_->robot, params_.rate);
   return {};
 }
 
@@ -39,8 +36,7 @@ Expected<void> VisualizationNode::on_deactivate() {
 }
 
 Expected<void> VisualizationNode::on_cleanup() {
-  robot_.reset();
-  scene_.reset();
+  setting_.reset();
   return {};
 }
 

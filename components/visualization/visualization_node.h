@@ -6,6 +6,7 @@
 #include <string>
 
 #include "components/ros/managed_component.h"
+#include "components/setting/setting.h"
 #include "components/visualization/visualization_session.h"
 
 namespace goalnet::visualization {
@@ -33,8 +34,7 @@ class VisualizationNode : public ros::ManagedComponent {
 
   Params params_;
   // From configure on.
-  std::optional<scene::Scene> scene_;
-  std::optional<robot::RobotModel> robot_;
+  std::optional<Setting> setting_;
   // While active.
   std::unique_ptr<VisualizationSession> session_;
 };

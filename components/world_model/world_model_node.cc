@@ -14,17 +14,14 @@ WorldModelNode::WorldModelNode(ros::Node& node) : ManagedComponent(node) { descr
 
 Expected<void> WorldModelNode::on_configure() {
   if (auto ok = check_thresholds(params_.session.core); !ok) return ok;
-  auto scene = scene::load_scene(params_.scene);
-  if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
-  auto robot = robot::load_robot(params_.robot.empty() ? "default" : params_.robot);
-  if (!robot) return tl::unexpected<Error>(std::move(robot.error()));
-  scene_.emplace(std::move(*scene));
-  robot_.emplace(std::move(*robot));
+  auto setting = load_setting(params_.scene, params_.robot);
+  if (!setting) return tl::unexpected<Error>(std::move(setting.error()));
+  setting_.emplace(std::move(*setting));
   return {};
 }
 
 Expected<void> WorldModelNode::on_activate() {
-  session_ = std::make_unique<WorldModelSession>(node_, *scene_, *robot_, params_.session);
+  session_ = std::make_unique<WorldModelSession>(node_, setting_->scene, setting_->robot, params_.session);
   return {};
 }
 
@@ -34,8 +31,7 @@ Expected<void> WorldModelNode::on_deactivate() {
 }
 
 Expected<void> WorldModelNode::on_cleanup() {
-  robot_.reset();
-  scene_.reset();
+  setting_.reset();
   return {};
 }
 

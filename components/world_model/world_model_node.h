@@ -6,6 +6,7 @@
 #include <string>
 
 #include "components/ros/managed_component.h"
+#include "components/setting/setting.h"
 #include "components/world_model/world_model_session.h"
 
 namespace goalnet::world_model {
@@ -34,8 +35,7 @@ class WorldModelNode : public ros::ManagedComponent {
 
   Params params_;
   // From configure on.
-  std::optional<scene::Scene> scene_;
-  std::optional<robot::RobotModel> robot_;
+  std::optional<Setting> setting_;
   // While active.
   std::unique_ptr<WorldModelSession> session_;
 };

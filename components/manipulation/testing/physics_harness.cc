@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/setting/setting.h"
 #include "executor/joint_limits.h"
 
 namespace goalnet::manipulation {
@@ -22,20 +23,18 @@ executor::ExecutorParams executor_params(const robot::RobotModel& robot) {
 Expected<std::unique_ptr<PhysicsHarness>> PhysicsHarness::create(const std::string& scene_name,
                                                                  const std::string& robot_name,
                                                                  std::uint64_t seed) {
-  auto scene = scene::load_scene(scene_name);
-  if (!scene) return tl::unexpected<Error>(scene.error());
-  auto robot = robot::load_robot(robot_name);
-  if (!robot) return tl::unexpected<Error>(robot.error());
+  auto setting = load_setting(scene_name, robot_name);
+  if (!setting) return tl::unexpected<Error>(setting.error());
   std::unique_ptr<PhysicsHarness> out(new PhysicsHarness);
   sim::WorldOptions options;
   options.seed = seed;
-  auto world = sim::World::create(*scene, *robot, options);
+  auto world = sim::World::create(setting->scene, setting->robot, options);
   if (!world) return tl::unexpected<Error>(world.error());
   out->world_ = std::move(*world);
-  auto runner = executor::TrajectoryExecutor::create(executor_params(*robot));
+  auto runner = executor::TrajectoryExecutor::create(executor_params(setting->robot));
   if (!runner) return tl::unexpected<Error>(runner.error());
   out->executor_ = std::move(*runner);
-  auto bench = Workbench::create(std::move(*robot), std::move(*scene), ManipulationParams());
+  auto bench = Workbench::create(std::move(setting->robot), std::move(setting->scene), ManipulationParams());
   if (!bench) return tl::unexpected<Error>(bench.error());
   out->bench_ = std::move(*bench);
   out->runner_ = std::make_unique<ActionRunner>(*out->bench_);
