@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "components/setting/setting.h"
 #include "rosgraph_msgs/msg/Clock.h"
 #include "sim/world_messages.h"
 #include "std_msgs/msg/String.h"
@@ -29,10 +31,11 @@ Expected<void> check_step(const ros::ParameterValue& value) {
 
 struct SimulatorNode::Internals {
   Internals(ros::Node& the_node, const Params& the_params, const Controller& the_controller,
-            std::unique_ptr<World> the_world)
+            const SensorFaults& the_faults, std::unique_ptr<World> the_world)
       : node(the_node),
         params(the_params),
         controller(the_controller),
+        faults(the_faults),
         step_ns(std::llround(the_params.physics_step * 1e9)),
         poses_every(every_so_many_ticks(the_params.pose_rate)),
         transforms_every(every_so_many_ticks(the_params.tf_rate)),
@@ -94,6 +97,17 @@ struct SimulatorNode::Internals {
       const JointReading reading = world->robot_joint(i);
       sample.position[i] = reading.position;
       sample.velocity[i] = reading.velocity;
+      if (faults.joints_lost) sample.position[i] = std::nan("");
+    }
+  }
+
+  void publish_poses() {
+    fill_object_poses(*world, stamp(), pose_message);
+    late_poses.emplace_back(time_ns, pose_message);
+    const auto delay = static_cast<std::int64_t>(1e9 * faults.poses_late);
+    while (!late_poses.empty() && late_poses.front().first <= time_ns - delay) {
+      if (!faults.poses_lost) object_poses->publish(late_poses.front().second);
+      late_poses.pop_front();
     }
   }
 
@@ -158,11 +172,8 @@ struct SimulatorNode::Internals {
     now.clock(stamp());
     clock->publish(now);
     fill_joint_states(*world, stamp(), joint_message);
-    joint_states->publish(joint_message);
-    if (ticks % poses_every == 0 || first) {
-      fill_object_poses(*world, stamp(), pose_message);
-      object_poses->publish(pose_message);
-    }
+    if (!faults.joints_lost) joint_states->publish(joint_message);
+    if (ticks % poses_every == 0 || first) publish_poses();
     if (ticks % transforms_every == 0 || first) {
       fill_transforms(*world, stamp(), true, transform_message);
       transforms->publish(transform_message);
@@ -175,6 +186,7 @@ struct SimulatorNode::Internals {
   ros::Node& node;
   const Params& params;
   const Controller& controller;
+  const SensorFaults& faults;
   const std::int64_t step_ns;
   const int poses_every, transforms_every;  // ticks
   std::unique_ptr<World> world;
@@ -189,6 +201,8 @@ struct SimulatorNode::Internals {
   FactSet published_facts;
   sensor_msgs::msg::JointState joint_message;
   goalnet_msgs::msg::ObjectPoses pose_message;
+  std::deque<std::pair<std::int64_t, goalnet_msgs::msg::ObjectPoses>>
+      late_poses;  // by when they were seen [ns]
   tf2_msgs::msg::TFMessage transform_message;
   std::shared_ptr<ros::Publisher<rosgraph_msgs::msg::Clock>> clock;
   std::shared_ptr<ros::Publisher<sensor_msgs::msg::JointState>> joint_states;
@@ -223,16 +237,14 @@ SimulatorNode::SimulatorNode(ros::Node& node) : ManagedComponent(node) { describ
 SimulatorNode::~SimulatorNode() = default;
 
 Expected<void> SimulatorNode::on_configure() {
-  auto scene = scene::load_scene(params_.scene);
-  if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
-  auto robot = robot::load_robot(params_.robot.empty() ? "default" : params_.robot);
-  if (!robot) return tl::unexpected<Error>(std::move(robot.error()));
+  auto setting = load_setting(params_.scene, params_.robot);
+  if (!setting) return tl::unexpected<Error>(std::move(setting.error()));
   WorldOptions options;
   options.seed = params_.seed;
   options.physics_step = params_.physics_step;
-  auto world = World::create(*scene, *robot, options);
+  auto world = World::create(setting->scene, setting->robot, options);
   if (!world) return tl::unexpected<Error>(std::move(world.error()));
-  internals_ = std::make_unique<Internals>(node_, params_, controller_, std::move(*world));
+  internals_ = std::make_unique<Internals>(node_, params_, controller_, sensor_faults_, std::move(*world));
   return {};
 }
 

@@ -20,6 +20,13 @@
 
 namespace goalnet::sim {
 
+// What goes wrong with the sensors; each stays until lifted.
+struct SensorFaults {
+  bool poses_lost = false;   // object_poses falls silent
+  bool joints_lost = false;  // so does joint_states, and the controller measures nothing (NaN)
+  double poses_late = 0.0;   // [s] object_poses comes so much later than its stamp
+};
+
 // Belongs to the thread of the node's event loop.
 class SimulatorNode : public ros::ManagedComponent {
  public:
@@ -56,6 +63,7 @@ class SimulatorNode : public ros::ManagedComponent {
 
   // For faults, pictures and tests. Same thread as tick(). Throws std::logic_error while unconfigured.
   World& world();
+  SensorFaults& sensor_faults() { return sensor_faults_; }
 
  private:
   struct Internals;
@@ -67,6 +75,7 @@ class SimulatorNode : public ros::ManagedComponent {
 
   Params params_;
   Controller controller_;
+  SensorFaults sensor_faults_;
   std::unique_ptr<Internals> internals_;  // from configure on
 };
 
