@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kReportPeriod{20};
 constexpr std::chrono::milliseconds kLastWords{50};
-// The slowest joint of the default robot stops from full speed in less than two seconds.
-constexpr std::chrono::seconds kLongestStop{5};
+// The slowest joint of the default robot stops from full speed in less than two seconds; giving way takes
+// another three at most.
+constexpr std::chrono::seconds kLongestStop{8};
 constexpr std::chrono::milliseconds kHardStop{500};
 constexpr std::chrono::milliseconds kHandOver{5};  // until the real-time thread has taken what was asked
 

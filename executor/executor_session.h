@@ -35,7 +35,7 @@ class ExecutorSession {
   ExecutorSession(ros::Node& node, const NodeParams& params, TrajectoryExecutor& executor);
   ~ExecutorSession();
 
-  // Asks for a smooth stop and says so. On the wall clock it waits until the robot stands (5 s at most, then
+  // Asks for a smooth stop and says so. On the wall clock it waits until the robot stands (8 s at most, then
   // it brakes hard); in lockstep the robot comes to rest while the simulator goes on.
   void leave();
 

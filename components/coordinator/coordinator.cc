@@ -21,6 +21,7 @@ bool is_final(Outcome outcome) {
     case Outcome::kEmergencyStop:
     case Outcome::kInternal:
     case Outcome::kInvalidRequest:
+    case Outcome::kNoPlan:  // manipulation: it does not fit, whatever is tried
       return true;
     default:
       return false;

@@ -7,8 +7,9 @@ namespace goalnet::manipulation {
 namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;
-// The executor settles for half a second at most after a trajectory; silence well beyond that is a fault.
-constexpr std::int64_t kExecutorSlack = 4'000 * kMillisecond;
+// After a trajectory the executor settles for a second; after one that a joint did not follow it stops and
+// gives way, which takes up to about five. Silence well beyond that is a fault.
+constexpr std::int64_t kExecutorSlack = 8'000 * kMillisecond;
 // A motion that the executor has not said a word about after this time is sent again: an executor that was
 // just started may not have been found yet. It takes one of the same stamp only once.
 constexpr std::int64_t kSendAgain = 500 * kMillisecond;
@@ -34,6 +35,7 @@ Expected<void> ActionRunner::start(const Action& action) {
   auto skill = make_skill(bench_, action);
   if (!skill) return tl::unexpected<Error>(skill.error());
   skill_ = std::move(*skill);
+  bench_.forget_dead_ends();
   action_ = action;
   attempt_ = 0;
   planning_time_ = 0;
@@ -41,7 +43,7 @@ Expected<void> ActionRunner::start(const Action& action) {
   first_failure_.clear();
   phases_.clear();
   phase_ = 0;
-  seen_ready_at_ns_ = -1;
+  waiting_since_ns_ = -1;
   stage_ = "planning";
   state_ = State::kPlanning;
   return {};
@@ -61,7 +63,6 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
   Orders orders;
   if (!running()) return orders;
   now_ns_ = world.time_ns;
-  if (seen_ready_at_ns_ < 0) seen_ready_at_ns_ = now_ns_;
   if (cancelled_ && state_ != State::kStopping) {
     if (state_ == State::kMoving) {
       orders.stop = true;
@@ -90,14 +91,8 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
     bench_.observe(world);
     settle();
   }
-  // Still coming to rest after something that no motion of ours waited for: somebody pushed the standing
-  // robot.
-  if (status.state == executor::ExecutorState::kStopping) {
-    if (now_ns_ - seen_ready_at_ns_ > kExecutorSlack && running())
-      finish(Outcome::kComponentLost, "the executor does not come to rest; is it running?");
-    return orders;
-  }
-  seen_ready_at_ns_ = now_ns_;
+  const bool plans = state_ == State::kPlanning || state_ == State::kNextPhase;
+  if (plans && waits_for_standstill(status)) return orders;
   // An attempt that fails in planning is followed by the next at once: the robot stands still meanwhile.
   while ((state_ == State::kPlanning || state_ == State::kNextPhase) && !orders.send) {
     if (bench_.stopped()) {
@@ -112,6 +107,19 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
     }
   }
   return orders;
+}
+
+// The executor comes to rest after something that no motion of ours waited for: somebody pushed the standing
+// robot.
+bool ActionRunner::waits_for_standstill(const executor::ExecutorStatus& status) {
+  if (status.state != executor::ExecutorState::kStopping) {
+    waiting_since_ns_ = -1;
+    return false;
+  }
+  if (waiting_since_ns_ < 0) waiting_since_ns_ = now_ns_;
+  if (now_ns_ - waiting_since_ns_ > kExecutorSlack)
+    finish(Outcome::kComponentLost, "the executor does not come to rest; is it running?");
+  return true;
 }
 
 void ActionRunner::plan_attempt() {
@@ -129,7 +137,11 @@ void ActionRunner::plan_attempt() {
 }
 
 void ActionRunner::next_phase(Orders& orders) {
-  if (phase_ >= phases_.size()) return finish(Outcome::kDone, "");
+  if (phase_ >= phases_.size()) {
+    if (!skill_->unfinished()) return finish(Outcome::kDone, "");
+    state_ = State::kPlanning;
+    return;
+  }
   const Phase& phase = phases_[phase_];
   stage_ = phase.stage;
   Expected<JointTrajectory> motion;
@@ -181,12 +193,15 @@ void ActionRunner::watch_motion(const executor::ExecutorStatus& status) {
     }
     return;
   }
-  if (status.outcome != Outcome::kDone) {
-    bench_.forget_command();
-    return attempt_failed({Outcome::kMotionFailed, "the motion was not completed: " + status.message});
-  }
-  bench_.set_command(sent_.joints, sent_.points.back().position);
   const Phase& phase = phases_[phase_];
+  if (status.outcome == Outcome::kDone) {
+    bench_.set_command(sent_.joints, sent_.points.back().position);
+  } else {
+    bench_.forget_command();
+    // A hand that cannot get away has done its work all the same: look at that.
+    if (!phase.optional)
+      return attempt_failed({Outcome::kMotionFailed, "the motion was not completed: " + status.message});
+  }
   const double wait = phase.settle + (phase.check ? bench_.params().settle_time : 0.0);
   settled_at_ns_ = now_ns_ + static_cast<std::int64_t>(wait * 1e9);
   state_ = State::kSettling;

@@ -44,6 +44,7 @@ class ActionRunner {
 
  private:
   enum class State { kIdle, kPlanning, kNextPhase, kMoving, kSettling, kStopping, kFinished };
+  bool waits_for_standstill(const executor::ExecutorStatus& status);
   void plan_attempt();
   void next_phase(Orders& orders);
   void watch_motion(const executor::ExecutorStatus& status);
@@ -64,7 +65,7 @@ class ActionRunner {
   std::int64_t sent_at_ns_ = 0;
   std::int64_t sent_again_at_ns_ = 0;
   std::int64_t settled_at_ns_ = 0;
-  std::int64_t seen_ready_at_ns_ = -1;  // when the executor last was not coming to rest; -1: not yet known
+  std::int64_t waiting_since_ns_ = -1;  // for the executor to come to rest; -1: not
   std::int64_t now_ns_ = 0;
   bool cancelled_ = false;
   double planning_time_ = 0;

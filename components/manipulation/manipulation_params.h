@@ -12,7 +12,7 @@ struct ManipulationParams {
   double lift_height = 0.07;        // [m] straight up after grasping
   double speed = 0.95;              // 0..1 of the joints' velocity limits
   double acceleration = 0.85;       // 0..1 of their acceleration limits; the rest absorbs rounding
-  double upright_tilt = 0.35;       // [rad] how far an open vessel may lean while it is moved
+  double upright_tilt = 0.35;       // [rad] how far a vessel with something in it may lean while it is moved
   double loose_tilt = 0.9;          // [rad] the same for other things
   int attempts = 4;                 // different ways tried before an action fails
   double settle_time = 0.15;        // [s] after a motion before its result is looked at

@@ -101,7 +101,11 @@ void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solu
   }
   Phase drive;
   drive.stage = "drive";
-  drive.plan = [stand = solution.stand](Workbench& b) { return b.drive(stand); };
+  drive.plan = [stand = solution.stand](Workbench& b) {
+    auto motion = b.drive(stand);
+    if (!motion) b.note_dead_end({stand, std::nullopt, {}});
+    return motion;
+  };
   phases.push_back(drive);
 }
 
@@ -110,12 +114,28 @@ void add_approach(Phases& phases, const ReachSolution& solution, const Reach& re
   phase.stage = "approach";
   phase.plan = [goal = solution.along.front(), lift = solution.stand.lift, arm = reach.arm,
                 opening = reach.opening](Workbench& b) -> Expected<JointTrajectory> {
-    if (b.held()[arm]) return b.move_arm(arm, goal, lift);
-    auto motion = b.move_arm(arm, goal, lift, opening);
-    if (!motion) return motion;
+    const bool holds = b.held()[arm].has_value();
+    auto motion = b.move_arm(arm, goal, lift, holds ? 0.0 : opening);
+    if (!motion) b.note_dead_end({b.stand_of(b.now()), arm, goal});
+    if (!motion || holds) return motion;
     return merge(*motion, b.move_fingers(arm, opening));
   };
   phases.push_back(phase);
+}
+
+void add_way(Phases& phases, const Workbench& bench, const ReachSolution& solution, const Reach& reach) {
+  add_back_off(phases, bench);
+  add_go_to(phases, bench, solution);
+  add_approach(phases, solution, reach);
+}
+
+Expected<Reach> add_way_there(Phases& phases, Workbench& bench, const std::vector<Reach>& reaches,
+                              const StandSearchOptions& options, const std::string& what) {
+  const auto solution = find_stand(bench, reaches, options);
+  if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
+  const Reach& reach = reaches[solution->reach];
+  add_way(phases, bench, *solution, reach);
+  return reach;
 }
 
 void add_let_go(Phases& phases, const Workbench&, std::size_t arm, double more, const Tolerances& tolerances,

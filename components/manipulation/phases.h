@@ -17,6 +17,14 @@ void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solu
 // The free motion to where the straight lines begin; the fingers open meanwhile if the hand is empty.
 void add_approach(Phases& phases, const ReachSolution& solution, const Reach& reach);
 
+// All of that: back off, go to where the solution stands, approach.
+void add_way(Phases& phases, const Workbench& bench, const ReachSolution& solution, const Reach& reach);
+
+// Finds where to stand and which of `reaches` to take, adds the way there, and returns the one taken. Errors
+// are find_stand's, introduced by `what`.
+Expected<Reach> add_way_there(Phases& phases, Workbench& bench, const std::vector<Reach>& reaches,
+                              const StandSearchOptions& options, const std::string& what);
+
 // Straight lines through poses in the map frame.
 Phase straight(std::string stage, std::size_t arm, std::vector<Pose> poses, Tolerances tolerances,
                double speed = 1.0);

@@ -10,11 +10,14 @@ namespace {
 constexpr double kAbove = 0.002;  // [m] let go this high above the surface: touching earlier would push
 constexpr double kFingerThickness = 0.014;  // [m]
 constexpr double kFingers = 0.006;          // [m] finger tips stay this high above it
+// [m] above the surface on the way in from the front; low under a low ceiling
+constexpr double kRaised[] = {0.03, 0.012};
 constexpr double kGap = 0.02;  // [m] to neighbours: room for fingers is checked by reaching itself
 
 struct Spot {
   Pose pose;  // map frame, on the surface
   double preference;
+  bool covered = false;  // by a board or the like: what is tall cannot come from above
 };
 
 void add_grid(const scene::Support& support, const Pose& frame, double radius, double base,
@@ -27,7 +30,7 @@ void add_grid(const scene::Support& support, const Pose& frame, double radius, d
     for (int j = 0; j <= ny; ++j) {
       const double x = nx == 0 ? 0.0 : -half_x + 2 * half_x * i / nx;
       const double y = ny == 0 ? 0.0 : -half_y + 2 * half_y * j / ny;
-      Spot spot{frame, base};
+      Spot spot{frame, base, support.clearance > 0.01};
       spot.pose.translation() += frame.linear() * Eigen::Vector3d(x, y, 0);
       // In small places the middle is best (a door may hit what stands before it); on worktops the near part
       // is.
@@ -82,7 +85,7 @@ std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string
                                    [&](const std::string& p) { return model->has_property(p); });
     if (!spot.prefer_for.empty() && !meant) continue;
     // What is meant for a spot goes there, nearly whatever the way costs.
-    spots.push_back({fixture->pose * spot.frame, meant ? -20.0 : -0.5});
+    spots.push_back({fixture->pose * spot.frame, meant ? -20.0 : -0.5, false});
   }
   double later = 0.0;
   for (const auto& support : region.supports) {
@@ -91,19 +94,19 @@ std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string
     add_grid(support, support_pose(scene, region, support), radius, later, spots);
     later += 1.0;  // the next shelf
   }
-  // Things come from above; in closed places from the front, a little raised.
+  // Things come from above; in closed places, and under boards if need be, from the front, a little raised.
   const double depth = region.supports.front().size_x / 2;
   for (const auto& spot : spots) {
     PlaceCandidate place;
-    place.preference = spot.preference;
     const Eigen::Vector3d in_front = fixture->pose.inverse() * spot.pose.translation();
     const Eigen::Vector3d back = -fixture->pose.linear().col(0);
-    if (region.relation == scene::RegionRelation::kIn) {
-      place.approaches = {
-          Eigen::Vector3d::UnitZ() * 0.03 + back * std::max(0.15, std::min(depth * 2, in_front.x()) + 0.08),
-          Eigen::Vector3d::UnitZ() * 0.03};
-    } else {
-      place.approaches = {Eigen::Vector3d::UnitZ() * 0.10};
+    std::vector<std::vector<Eigen::Vector3d>> approaches;
+    const bool closed = region.relation == scene::RegionRelation::kIn;
+    if (!closed) approaches = {{Eigen::Vector3d::UnitZ() * 0.10}};
+    const Eigen::Vector3d before = back * std::max(0.15, std::min(depth * 2, in_front.x()) + 0.08);
+    for (const double raised : kRaised) {
+      const Eigen::Vector3d up = Eigen::Vector3d::UnitZ() * raised;
+      if (closed || spot.covered) approaches.push_back({up + before, up});
     }
     for (int h = 0; h < headings; ++h) {
       place.object = spot.pose;
@@ -119,7 +122,11 @@ std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string
           !bench.checker().object_fits(object, probe, 0.001, {})) {
         continue;
       }
-      out.push_back(place);
+      for (std::size_t i = 0; i < approaches.size(); ++i) {
+        place.approaches = approaches[i];
+        place.preference = spot.preference + 1.5 * static_cast<double>(i);
+        out.push_back(place);
+      }
     }
   }
   std::stable_sort(out.begin(), out.end(),

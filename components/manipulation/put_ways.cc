@@ -48,16 +48,36 @@ void add_descent(std::vector<PutWay>& ways, const Pose& end, double preference, 
   ways.push_back({{moved(end, {0, 0, height}), end}, gap, preference});
 }
 
-// Upright on the floor of a plate.
-void lay(std::vector<PutWay>& ways, const scene::ObjectModel& model, const Pose& mouth,
+// Half the width of what goes in first when a long thing is stood into something: its end at +x.
+double tip_girth(const scene::ObjectModel& model) {
+  double most = 0;
+  const double end = scene::bounds(model.shapes).upper.x() - 0.02;
+  for (const auto& shape : model.shapes) {
+    const Vector3d half = scene::half_extents(shape);
+    if (shape.pose.translation().x() + half.x() > end) most = std::max(most, half.y());
+  }
+  return most;
+}
+
+// Upright on the floor of a plate, or on its rim if the thing is wider.
+void lay(std::vector<PutWay>& ways, const Workbench& bench, const std::string& object, const Pose& mouth,
          const scene::Cavity& cavity) {
+  const auto& model = *bench.scene().find_model_of(object);
   const double slack = std::max(0.0, 0.8 * cavity.radius - girth(model));
   for (const double share : {0.0, 0.6}) {
     for (int direction = 0; direction < (share > 0 && slack > 0.01 ? 6 : 1); ++direction) {
       const double angle = direction * std::numbers::pi / 3;
-      const Vector3d at = mouth * Vector3d(share * slack * std::cos(angle), share * slack * std::sin(angle),
-                                           -cavity.depth + 0.004);
-      for (int h = 0; h < 12; ++h) add_descent(ways, turned(at, h * std::numbers::pi / 6), share, -0.001);
+      Vector3d at = mouth * Vector3d(share * slack * std::cos(angle), share * slack * std::sin(angle),
+                                     -cavity.depth + 0.004);
+      const double floor = at.z();
+      while (at.z() < floor + cavity.depth && !bench.checker().object_fits(object, turned(at, 0), -0.001, {}))
+        at.z() += 0.003;
+      // Fingers that reach below the thing's rim are in the way when it sits in another of its kind: let go a
+      // little higher.
+      for (const double higher : {0.0, 0.012})
+        for (int h = 0; h < 12; ++h)
+          add_descent(ways, moved(turned(at, h * std::numbers::pi / 6), {0, 0, higher}),
+                      share + 50.0 * higher, -0.001);
     }
   }
 }
@@ -147,19 +167,21 @@ Expected<std::vector<PutWay>> put_ways(const Workbench& bench, const std::string
   const auto* model = bench.scene().find_model_of(object);
   const auto* holder = bench.scene().find_model_of(receiver);
   if (model == nullptr || holder == nullptr || !holder->cavity)
-    return fail(Outcome::kMotionFailed, receiver + " has no opening to put something into");
+    return fail(Outcome::kNoPlan, receiver + " has no opening to put something into");
   const scene::Cavity& cavity = *holder->cavity;
   const Pose mouth = pose * cavity.mouth;
   if (mouth.linear()(2, 2) < 0.9) return fail(Outcome::kMotionFailed, receiver + " does not stand upright");
+  const std::string too_narrow = object + " does not fit through the opening of " + receiver;
   std::vector<PutWay> ways;
   if (cavity.slot) {
     slide(ways, mouth, cavity);
   } else if (model->has_property("IsPlacable")) {
+    if (tip_girth(*model) + 0.5 * kPlay > cavity.radius) return fail(Outcome::kNoPlan, too_narrow);
     stand_in(ways, *model, mouth, cavity);
   } else if (cavity.shallow()) {
-    lay(ways, *model, mouth, cavity);
+    lay(ways, bench, object, mouth, cavity);
   } else if (girth(*model) + kPlay > cavity.radius) {
-    return fail(Outcome::kMotionFailed, object + " does not fit through the opening of " + receiver);
+    return fail(Outcome::kNoPlan, too_narrow);
   } else {
     drop(ways, bench, object, mouth, cavity);
   }

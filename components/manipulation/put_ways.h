@@ -15,8 +15,8 @@ struct PutWay {
   double preference = 0;     // [s] lower is better
 };
 
-// For a pose of the receiver (map frame), other things as they are now; deterministic. kMotionFailed if the
-// thing does not fit or the receiver has no opening that looks upwards.
+// For a pose of the receiver (map frame), other things as they are now; deterministic. kNoPlan if the
+// thing does not fit, whatever the robot does; kMotionFailed if the receiver does not stand upright.
 Expected<std::vector<PutWay>> put_ways(const Workbench& bench, const std::string& object,
                                        const std::string& receiver, const Pose& pose);
 

@@ -20,7 +20,7 @@ struct Phase {
   // Called once the motion is over and has settled; empty: nothing to look at.
   std::function<Expected<void>(Workbench&)> check;
   double settle = 0.0;    // [s] to wait after the motion, besides what the executor waits
-  bool optional = false;  // if no motion is found, go on without
+  bool optional = false;  // if no motion is found, or it is blocked, go on without
 };
 
 using Phases = std::vector<Phase>;
@@ -33,6 +33,8 @@ class Skill {
   // failed. Fails with kMotionFailed when there is no (other) way, kInvalidRequest when the action makes no
   // sense now.
   virtual Expected<Phases> attempt(Workbench& bench, int number) = 0;
+  // After the last of the phases: whether that was only a part, and attempt() has more to do.
+  virtual bool unfinished() const { return false; }
 };
 
 // Fails with kInvalidRequest for an unknown action or a wrong number of arguments, kUnknownObject for a name

@@ -5,11 +5,7 @@
 
 namespace goalnet::manipulation {
 
-Expected<Phases> FillSkill::attempt(Workbench& bench, int) {
-  const std::string what = "fill " + vessel_ + " " + outlet_.fixture;
-  const auto holding = bench.arm_holding(vessel_);
-  if (!holding) return fail(Outcome::kMotionFailed, what + ": " + vessel_ + " is not in a hand");
-  const std::size_t arm = *holding;
+Expected<Phases> FillSkill::use(Workbench& bench, std::size_t arm) {
   const auto& scene = bench.scene();
   const auto* fixture = scene.find_fixture(outlet_.fixture);
   Eigen::Vector3d outlet = fixture->pose * outlet_.outlet;
@@ -18,7 +14,7 @@ Expected<Phases> FillSkill::attempt(Workbench& bench, int) {
                               [&](const std::string& joint) { return bench.world().joint(joint); }) *
              outlet_.outlet;
   }
-  const auto& cavity = *scene.find_model_of(vessel_)->cavity;
+  const auto& cavity = *scene.find_model_of(held_)->cavity;
   const Eigen::Vector3d in_front = -fixture->pose.linear().col(0);
   const Pose grip = bench.held()[arm]->object_in_tool.inverse();
   std::vector<Reach> reaches;
@@ -41,17 +37,14 @@ Expected<Phases> FillSkill::attempt(Workbench& bench, int) {
   std::erase_if(reaches, [&](const Reach& r) { return failed_.contains(r.tag); });
   StandSearchOptions options;
   options.most_reaches = reaches.size();
-  auto solution = find_stand(bench, reaches, options);
-  if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
-  const Reach reach = reaches[solution->reach];
-  failed_.insert(reach.tag);
   Phases phases;
-  add_back_off(phases, bench);
-  add_go_to(phases, bench, *solution);
-  add_approach(phases, *solution, reach);
+  const auto found = add_way_there(phases, bench, reaches, options, what_);
+  if (!found) return tl::unexpected<Error>(found.error());
+  const Reach reach = *found;
+  failed_.insert(reach.tag);
   Phase there = straight("fill", arm, {reach.tool[1]}, reach.tolerances, 0.5);
   there.settle = outlet_.after + 0.5;
-  there.check = [vessel = vessel_, adds = outlet_.adds, what](Workbench& b) -> Expected<void> {
+  there.check = [vessel = held_, adds = outlet_.adds, what = what_](Workbench& b) -> Expected<void> {
     for (const auto& value : adds) {
       if (!b.world().facts.contains({"state", vessel, value}))
         return fail(Outcome::kMotionFailed, what + ": nothing ran into it");

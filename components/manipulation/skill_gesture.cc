@@ -19,6 +19,7 @@ constexpr double kClear = 0.02;     // [m] everything else above it at any time
 constexpr double kBeyond = 0.20;    // [rad] more tilt than what makes contents run
 constexpr std::size_t kReserveTag = 100'000;  // ways in reserve are numbered from here
 constexpr double kTiltStep = 0.20;            // [rad]
+constexpr double kLeaning = 0.3;              // [rad] less than an open vessel may lean on the way
 
 // The object's pose with one of its points pinned and leaning by `tilt` towards `heading`, turned by `roll`
 // about its own axis before.
@@ -70,7 +71,8 @@ std::vector<Gesture> pours(const scene::ObjectModel& model, const Vector3d& mout
         const double heading = h * std::numbers::pi / 6;
         Gesture gesture;
         gesture.preference = 0.5 * std::abs(std::cos(angle)) + 2.0 * (over - kOver[0]);
-        for (double tilt = 0.0; tilt < most; tilt += kTiltStep)
+        // In reserve it comes leaning, away from what spans the mouth.
+        for (double tilt = reserve ? kLeaning : 0.0; tilt < most; tilt += kTiltStep)
           gesture.poses.push_back(pose_at(heading, tilt, over));
         gesture.poses.push_back(pose_at(heading, most, over));
         out.push_back(std::move(gesture));
@@ -115,14 +117,16 @@ std::optional<Vector3d> drain(const scene::Scene& scene) {
 // higher and beside the middle, because something spans the mouth (a kettle's handle).
 std::vector<Reach> GestureSkill::ways(const Workbench& bench, std::size_t arm, const Pose& mouth,
                                       double beside, bool reserve) const {
-  const auto& model = *bench.scene().find_model_of(tool_);
+  const auto& model = *bench.scene().find_model_of(held_);
   const Pose grip = bench.held()[arm]->object_in_tool.inverse();
   std::vector<Vector3d> points{mouth.translation()};
   if (reserve) {
     points.clear();
-    for (const Vector3d& side :
-         {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, -1, 0)})
-      points.push_back(mouth * Vector3d(beside * side));
+    for (const double share : {1.0, 1.4}) {
+      for (const Vector3d& side :
+           {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, -1, 0)})
+        points.push_back(mouth * Vector3d(share * beside * side));
+    }
   }
   std::vector<Reach> reaches;
   std::size_t tag = reserve ? kReserveTag : 0;
@@ -152,57 +156,48 @@ std::vector<Reach> GestureSkill::ways(const Workbench& bench, std::size_t arm, c
   return reaches;
 }
 
-Expected<Phases> GestureSkill::attempt(Workbench& bench, int) {
-  const std::string what = to_string(action_);
-  const auto holding = bench.arm_holding(tool_);
-  if (!holding) return fail(Outcome::kMotionFailed, what + ": " + tool_ + " is not in a hand");
-  const std::size_t arm = *holding;
+// A scoop of ice cream would not survive it.
+bool GestureSkill::another_grip_may_help(const Workbench& bench) const {
+  return !bench.world().facts.contains({"state", held_, "ScoopsLeft"});
+}
+
+Expected<Phases> GestureSkill::use(Workbench& bench, std::size_t arm) {
   Phases phases;
-  add_back_off(phases, bench);
-  Reach reach;
+  Expected<Reach> found = fail(Outcome::kMotionFailed, "");
   if (const auto other = receiver_.empty() ? std::nullopt : bench.arm_holding(receiver_)) {
     const auto& cavity = bench.scene().find_model_of(receiver_)->cavity;
-    auto both = find_two_hands(
-        bench, *other, [&](const Pose& held) { return ways(bench, arm, held * cavity->mouth, 0.0, false); });
-    if (!both) return fail(both.error().outcome, what + ": " + both.error().message);
-    reach = both->reaches[both->work.reach];
-    add_go_to(phases, bench, both->work);
-    add_hold_out(phases, *both);
-    add_approach(phases, both->work, reach);
+    const auto at = [&](const Pose& held) { return ways(bench, arm, held * cavity->mouth, 0.0, false); };
+    found = add_way_with_both(phases, bench, *other, at, what_);
   } else {
     Pose mouth = Pose::Identity();
     double beside = 0;  // [m] from the middle of the mouth where it may still run in
     if (receiver_.empty()) {
       const auto sink = drain(bench.scene());
-      if (!sink) return fail(Outcome::kMotionFailed, what + ": there is no sink here");
+      if (!sink) return fail(Outcome::kMotionFailed, what_ + ": there is no sink here");
       mouth.translation() = *sink;
     } else if (const Pose* pose = bench.world().object(receiver_)) {
       const auto& cavity = *bench.scene().find_model_of(receiver_)->cavity;
       mouth = *pose * cavity.mouth;
       beside = 0.6 * cavity.radius;
     } else {
-      return fail(Outcome::kMotionFailed, what + ": " + receiver_ + " cannot be seen");
+      return fail(Outcome::kMotionFailed, what_ + ": " + receiver_ + " cannot be seen");
     }
     StandSearchOptions options;
     options.backwards = !receiver_.empty() && bench.checker().rides(receiver_);
     options.may_drive = !options.backwards;
-    std::vector<Reach> reaches;
-    Expected<ReachSolution> solution = fail(Outcome::kMotionFailed, "");
     for (const bool reserve : {false, true}) {
-      reaches = ways(bench, arm, mouth, beside, reserve);
+      const auto reaches = ways(bench, arm, mouth, beside, reserve);
       options.most_reaches = reaches.size();
       if (reserve) options.most_tries = 1'500;
-      solution = find_stand(bench, reaches, options);
-      if (solution || solution.error().outcome == Outcome::kCancelled || beside == 0) break;
+      found = add_way_there(phases, bench, reaches, options, what_);
+      if (found || found.error().outcome == Outcome::kCancelled || beside == 0) break;
     }
-    if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
-    reach = reaches[solution->reach];
-    add_go_to(phases, bench, *solution);
-    add_approach(phases, *solution, reach);
   }
+  if (!found) return tl::unexpected<Error>(found.error());
+  const Reach reach = *found;
   failed_.insert(reach.tag);
-  Phase there =
-      straight(action_.name, arm, {reach.tool.begin() + 1, reach.tool.end()}, reach.tolerances, 0.6);
+  Phase there = straight(kind_ == Kind::kScoop ? "scoop" : "pour", arm,
+                         {reach.tool.begin() + 1, reach.tool.end()}, reach.tolerances, 0.6);
   there.settle = 1.4;  // contents take their time (DeviceRules: half a second to one second)
   phases.push_back(there);
   phases.push_back(

@@ -22,15 +22,18 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
     return fail(Outcome::kMotionFailed,
                 "no empty hand for " + object_ + ", or it cannot be seen; put something down first");
   }
-  std::erase_if(reaches, [&](const Reach& r) { return failed_.contains(r.tag); });
+  std::erase_if(reaches, [&](const Reach& r) {
+    return failed_.contains(r.tag) || (!only_.empty() && !only_.contains(r.tag));
+  });
   StandSearchOptions options;
   // From the tray: driving would take the object along, and the hand points back.
   options.backwards = bench.checker().rides(object_);
   options.may_drive = !options.backwards;
   if (options.backwards) options.most_reaches = reaches.size();
-  auto solution = find_stand(bench, reaches, options);
-  if (!solution) return fail(solution.error().outcome, "grasp " + object_ + ": " + solution.error().message);
-  const Reach reach = reaches[solution->reach];
+  Phases phases;
+  const auto found = add_way_there(phases, bench, reaches, options, "grasp " + object_);
+  if (!found) return tl::unexpected<Error>(found.error());
+  const Reach reach = *found;
   // A way that fails is not tried again; it is forgotten when it works, as the skill ends then.
   failed_.insert(reach.tag);
 
@@ -41,10 +44,6 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
   const auto state = std::make_shared<GraspState>();
   const std::string object = object_;
 
-  Phases phases;
-  add_back_off(phases, bench);
-  add_go_to(phases, bench, *solution);
-  add_approach(phases, *solution, reach);
   phases.push_back(straight("reach", arm, {reach.tool[1]}, reach.tolerances, 0.8));
   Phase close = fingers("grasp", arm, grip_opening(width, model->grip_force), 0.15);
   close.check = [=](Workbench& b) -> Expected<void> {

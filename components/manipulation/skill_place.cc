@@ -1,4 +1,5 @@
 // keep-on, keep-in, release, stow.
+#include <algorithm>
 #include <cmath>
 
 #include "components/manipulation/place_candidates.h"
@@ -116,20 +117,17 @@ std::vector<PlaceWay> ways(Workbench& bench, std::size_t arm, const std::vector<
 
 }  // namespace
 
-Expected<Phases> PlaceSkill::attempt(Workbench& bench, int) {
-  const auto holding = bench.arm_holding(object_);
-  if (!holding) return fail(Outcome::kMotionFailed, object_ + " is not in a hand, so it cannot be put down");
-  const std::size_t arm = *holding;
+Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
   std::vector<const scene::Region*> origin;
   // What stood on the floor at the start is put down there.
-  const bool on_floor = where_ == Where::kNearest && bench.scene().find_object(object_)->placement.on.empty();
-  const auto candidates = where_ == Where::kTray ? tray_candidates(bench, object_)
-                          : on_floor             ? floor_candidates(bench, object_)
-                                                 : candidates_for(bench, where_, object_, region_, origin);
+  const bool on_floor = where_ == Where::kNearest && bench.scene().find_object(held_)->placement.on.empty();
+  const auto candidates = where_ == Where::kTray ? tray_candidates(bench, held_)
+                          : on_floor             ? floor_candidates(bench, held_)
+                                                 : candidates_for(bench, where_, held_, region_, origin);
   if (on_floor) origin.resize(candidates.size());
   if (candidates.empty()) {
     return fail(Outcome::kMotionFailed,
-                "no free place for " + object_ + (region_.empty() ? "" : " in or on " + region_));
+                "no free place for " + held_ + (region_.empty() ? "" : " in or on " + region_));
   }
   auto all = ways(bench, arm, candidates, origin);
   std::erase_if(all, [&](const PlaceWay& w) { return failed_.contains(w.reach.tag); });
@@ -138,26 +136,22 @@ Expected<Phases> PlaceSkill::attempt(Workbench& bench, int) {
   StandSearchOptions options;
   options.may_drive = where_ != Where::kTray;
   options.backwards = where_ == Where::kTray;
-  auto solution = find_stand(bench, reaches, options);
-  if (!solution)
-    return fail(solution.error().outcome, "put down " + object_ + ": " + solution.error().message);
-  const PlaceWay way = all[solution->reach];
-  failed_.insert(way.reach.tag);
-
   Phases phases;
-  add_back_off(phases, bench);
-  add_go_to(phases, bench, *solution);
-  add_approach(phases, *solution, way.reach);
+  const auto found = add_way_there(phases, bench, reaches, options, what_);
+  if (!found) return tl::unexpected<Error>(found.error());
+  failed_.insert(found->tag);
+  const PlaceWay way =
+      *std::find_if(all.begin(), all.end(), [&](const PlaceWay& w) { return w.reach.tag == found->tag; });
   Phase lower = straight("put down", arm, {way.reach.tool.begin() + 1, way.reach.tool.end()},
                          way.reach.tolerances, 0.6);
   lower.settle = 0.1;
   phases.push_back(lower);
   Tolerances touch;
-  touch.allow_all(bench.checker().hand_parts(arm), bench.checker().body(object_));
+  touch.allow_all(bench.checker().hand_parts(arm), bench.checker().body(held_));
   add_let_go(phases, bench, arm, 0.03, touch, way.further);
   Phase& last = phases.back();
   last.settle = 0.2;
-  last.check = [object = object_, target = way.object,
+  last.check = [object = held_, target = way.object,
                 tray = where_ == Where::kTray](Workbench& b) -> Expected<void> {
     const Pose* now = b.world().object(object);
     if (now == nullptr) return fail(Outcome::kMotionFailed, object + " cannot be seen after it was put down");

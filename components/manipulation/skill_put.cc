@@ -28,7 +28,7 @@ bool went_in(const Workbench& bench, const std::string& object, const std::strin
 }  // namespace
 
 Expected<std::vector<Reach>> PutSkill::ways(Workbench& bench, std::size_t arm, const Pose& receiver) const {
-  auto found = put_ways(bench, object_, receiver_, receiver);
+  auto found = put_ways(bench, held_, receiver_, receiver);
   if (!found) return tl::unexpected<Error>(found.error());
   const Pose grip = bench.held()[arm]->object_in_tool.inverse();
   std::vector<Reach> reaches;
@@ -52,49 +52,35 @@ Expected<std::vector<Reach>> PutSkill::ways(Workbench& bench, std::size_t arm, c
   return reaches;
 }
 
-Expected<Phases> PutSkill::attempt(Workbench& bench, int) {
-  const std::string what = to_string(action_);
-  const auto holding = bench.arm_holding(object_);
-  if (!holding) return fail(Outcome::kMotionFailed, what + ": " + object_ + " is not in a hand");
-  const std::size_t arm = *holding;
+Expected<Phases> PutSkill::use(Workbench& bench, std::size_t arm) {
   const Pose* pose = bench.world().object(receiver_);
-  if (pose == nullptr) return fail(Outcome::kMotionFailed, what + ": " + receiver_ + " cannot be seen");
+  if (pose == nullptr) return fail(Outcome::kMotionFailed, what_ + ": " + receiver_ + " cannot be seen");
   const auto here = ways(bench, arm, *pose);
-  if (!here) return fail(here.error().outcome, what + ": " + here.error().message);
+  if (!here) return fail(here.error().outcome, what_ + ": " + here.error().message);
   Phases phases;
-  add_back_off(phases, bench);
-  Reach reach;
+  Expected<Reach> found = fail(Outcome::kMotionFailed, "");
   if (const auto other = bench.arm_holding(receiver_)) {
-    auto both = find_two_hands(bench, *other, [&](const Pose& held) {
-      return ways(bench, arm, held).value_or(std::vector<Reach>());
-    });
-    if (!both) return fail(both.error().outcome, what + ": " + both.error().message);
-    reach = both->reaches[both->work.reach];
-    add_go_to(phases, bench, both->work);
-    add_hold_out(phases, *both);
-    add_approach(phases, both->work, reach);
+    const auto at = [&](const Pose& held) { return ways(bench, arm, held).value_or(std::vector<Reach>()); };
+    found = add_way_with_both(phases, bench, *other, at, what_);
   } else {
     StandSearchOptions options;
     options.backwards = bench.checker().rides(receiver_);
     options.may_drive = !options.backwards;
     options.most_reaches = here->size();
-    auto solution = find_stand(bench, *here, options);
-    if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
-    reach = (*here)[solution->reach];
-    add_go_to(phases, bench, *solution);
-    add_approach(phases, *solution, reach);
+    found = add_way_there(phases, bench, *here, options, what_);
   }
+  if (!found) return tl::unexpected<Error>(found.error());
+  const Reach reach = *found;
   failed_.insert(reach.tag);
-  Phase lower =
-      straight(action_.name, arm, {reach.tool.begin() + 1, reach.tool.end()}, reach.tolerances, 0.5);
+  Phase lower = straight("put in", arm, {reach.tool.begin() + 1, reach.tool.end()}, reach.tolerances, 0.5);
   lower.settle = 0.1;
   phases.push_back(lower);
   Tolerances touch;
-  touch.allow_all(bench.checker().hand_parts(arm), bench.checker().body(object_));
+  touch.allow_all(bench.checker().hand_parts(arm), bench.checker().body(held_));
   add_let_go(phases, bench, arm, 0.03, touch, Eigen::Vector3d(0, 0, 0.05));
   Phase& last = phases.back();
   last.settle = 0.4;  // falling into a deep bin takes a quarter of a second
-  last.check = [object = object_, receiver = receiver_, what](Workbench& b) -> Expected<void> {
+  last.check = [object = held_, receiver = receiver_, what = what_](Workbench& b) -> Expected<void> {
     if (went_in(b, object, receiver)) return {};
     return fail(Outcome::kMotionFailed, what + ": " + object + " missed " + receiver);
   };

@@ -11,20 +11,17 @@ constexpr double kForce = 10.0;  // [N] of the pulling fingers: the holding hand
 
 }  // namespace
 
-Expected<Phases> TearSkill::attempt(Workbench& bench, int) {
-  const std::string what = "open " + object_;
-  const auto holding = bench.arm_holding(object_);
-  if (!holding) return fail(Outcome::kMotionFailed, what + ": it is not in a hand");
+Expected<Phases> TearSkill::use(Workbench& bench, std::size_t holder) {
   std::size_t arm = bench.arm_count();
   for (std::size_t other = 0; other < bench.arm_count(); ++other)
-    if (other != *holding && !bench.held()[other]) arm = other;
+    if (other != holder && !bench.held()[other]) arm = other;
   if (arm == bench.arm_count())
-    return fail(Outcome::kMotionFailed, what + ": no empty hand; put something down first");
-  const auto& model = *bench.scene().find_model_of(object_);
+    return fail(Outcome::kMotionFailed, what_ + ": no empty hand; put something down first");
+  const auto& model = *bench.scene().find_model_of(held_);
   const auto& gripper = bench.model().arms[arm].gripper;
   const auto candidates = grasp_candidates(model.grasps, gripper);
   const double top = model.height();
-  auto both = find_two_hands(bench, *holding, [&](const Pose& held) {
+  const auto ways = [&](const Pose& held) {
     std::vector<Reach> reaches;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (failed_.contains(i)) continue;
@@ -33,7 +30,7 @@ Expected<Phases> TearSkill::attempt(Workbench& bench, int) {
       reach.arm = arm;
       reach.tool = {backed(tool, bench.params().approach_distance), tool, backed(tool, kPull)};
       for (const int part : bench.checker().hand_parts(arm))
-        reach.tolerances.allow_self(part, bench.checker().attachment(*holding), -1.0);
+        reach.tolerances.allow_self(part, bench.checker().attachment(holder), -1.0);
       reach.opening = candidates[i].opening;
       // Near its top edge.
       reach.preference = candidates[i].preference + 20.0 * (top - candidates[i].tool.translation().z());
@@ -41,20 +38,16 @@ Expected<Phases> TearSkill::attempt(Workbench& bench, int) {
       reaches.push_back(std::move(reach));
     }
     return reaches;
-  });
-  if (!both) return fail(both.error().outcome, what + ": " + both.error().message);
-  const Reach reach = both->reaches[both->work.reach];
+  };
+  Phases phases;
+  const auto found = add_way_with_both(phases, bench, holder, ways, what_);
+  if (!found) return tl::unexpected<Error>(found.error());
+  const Reach reach = *found;
   failed_.insert(reach.tag);
   const double width = candidates[reach.tag].width;
-
-  Phases phases;
-  add_back_off(phases, bench);
-  add_go_to(phases, bench, both->work);
-  add_hold_out(phases, *both);
-  add_approach(phases, both->work, reach);
   phases.push_back(straight("reach", arm, {reach.tool[1]}, reach.tolerances, 0.6));
   Phase close = fingers("take", arm, grip_opening(width, kForce), 0.4);
-  close.check = [=](Workbench& b) -> Expected<void> {
+  close.check = [=, what = what_](Workbench& b) -> Expected<void> {
     const double opening = b.opening_of(b.world().robot, arm);
     if (opening > 0.4 * width && opening < width + 0.03) return {};
     return fail(Outcome::kMotionFailed, what + ": the fingers closed without it between them");

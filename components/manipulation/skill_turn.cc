@@ -114,13 +114,10 @@ Expected<Phases> TurnSkill::attempt(Workbench& bench, int number) {
   const std::string joint = ref.part->joint.name;
 
   Phases phases;
-  add_back_off(phases, bench);
-  add_go_to(phases, bench, *solution);
-  Reach free_reach = reach;
-  free_reach.tolerances = Tolerances();
-  free_reach.tolerances.allow_all(bench.checker().hand_parts(arm), bench.checker().body(ref.part->name));
-  add_approach(phases, *solution, free_reach);
-  phases.push_back(straight("reach", arm, {reach.tool[1]}, free_reach.tolerances, 0.8));
+  add_way(phases, bench, *solution, reach);
+  Tolerances hand;
+  hand.allow_all(bench.checker().hand_parts(arm), bench.checker().body(ref.part->name));
+  phases.push_back(straight("reach", arm, {reach.tool[1]}, hand, 0.8));
   Phase close = fingers("grasp", arm, grip_opening(width, door ? 50.0 : 40.0), 0.15);
   close.check = [=](Workbench& b) -> Expected<void> {
     const double opening = b.opening_of(b.world().robot, arm);
@@ -158,14 +155,11 @@ Expected<Phases> PressSkill::attempt(Workbench& bench, int) {
   if (reaches.empty())
     return fail(Outcome::kMotionFailed, "press " + button_ + ": no empty hand; put something down first");
   std::erase_if(reaches, [&](const Reach& r) { return failed_.contains(r.tag); });
-  auto solution = find_stand(bench, reaches, {});
-  if (!solution) return fail(solution.error().outcome, "press " + button_ + ": " + solution.error().message);
-  const Reach reach = reaches[solution->reach];
-  failed_.insert(reach.tag);
   Phases phases;
-  add_back_off(phases, bench);
-  add_go_to(phases, bench, *solution);
-  add_approach(phases, *solution, reach);
+  const auto found = add_way_there(phases, bench, reaches, {}, "press " + button_);
+  if (!found) return tl::unexpected<Error>(found.error());
+  const Reach reach = *found;
+  failed_.insert(reach.tag);
   Phase push = straight("press", reach.arm, {reach.tool[1]}, reach.tolerances, spot != nullptr ? 0.25 : 0.5);
   push.settle = 0.1;
   if (spot == nullptr) {

@@ -1,6 +1,7 @@
 // The skills of the household domain. Each class is one way of using the hands; make_skill chooses.
 #pragma once
 
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -23,27 +24,55 @@ class MoveSkill : public Skill {
 // grasp o, from where it stands; also from the tray (unstow).
 class GraspSkill : public Skill {
  public:
-  explicit GraspSkill(std::string object) : object_(std::move(object)) {}
+  // `only`: tags of the ways that may be taken (see grasp_reaches); empty: all.
+  explicit GraspSkill(std::string object, std::set<std::size_t> only = {})
+      : object_(std::move(object)), only_(std::move(only)) {}
   Expected<Phases> attempt(Workbench& bench, int number) override;
 
  private:
   std::string object_;
+  std::set<std::size_t> only_;
   std::set<std::size_t> failed_;  // tags of ways that did not work
 };
 
+// Whatever is done with what a hand holds. If it cannot be done with the grip that the hand has, but could
+// with another, the thing is put down on the nearest worktop and taken anew, once.
+class HeldSkill : public Skill {
+ public:
+  Expected<Phases> attempt(Workbench& bench, int number) final;
+  bool unfinished() const final { return takes_anew_; }
+
+ protected:
+  // `what`: the action, for messages.
+  HeldSkill(std::string what, std::string held) : what_(std::move(what)), held_(std::move(held)) {}
+  // The next way to do it with the arm that holds the thing; marks it in failed_.
+  virtual Expected<Phases> use(Workbench& bench, std::size_t arm) = 0;
+  virtual bool another_grip_may_help(const Workbench&) const { return true; }
+
+  const std::string what_, held_;
+  std::set<std::size_t> failed_;  // tags of ways that did not work
+
+ private:
+  std::set<std::size_t> other_grips(Workbench& bench, std::size_t arm);
+
+  std::unique_ptr<Skill> take_;  // with another grip, after it was put down
+  bool takes_anew_ = false;
+};
+
 // keep-on / keep-in x place, release x (any free surface), stow x (the tray).
-class PlaceSkill : public Skill {
+class PlaceSkill : public HeldSkill {
  public:
   enum class Where { kRegion, kNearest, kTray };
   PlaceSkill(std::string object, Where where, std::string region)
-      : object_(std::move(object)), where_(where), region_(std::move(region)) {}
-  Expected<Phases> attempt(Workbench& bench, int number) override;
+      : HeldSkill("put down " + object, object), where_(where), region_(std::move(region)) {}
 
  private:
-  std::string object_;
+  friend class HeldSkill;  // puts down what it takes anew
+  Expected<Phases> use(Workbench& bench, std::size_t arm) override;
+  bool another_grip_may_help(const Workbench&) const override { return where_ == Where::kRegion; }
+
   Where where_;
   std::string region_;
-  std::set<std::size_t> failed_;
 };
 
 // turn-on / turn-off knob, open / close door: take hold of a part and move its joint.
@@ -71,62 +100,56 @@ class PressSkill : public Skill {
 
 // pour x y, pour-out x, squeeze x y, add salt x, add scoop x, scoop spoon source: a gesture with what is
 // held.
-class GestureSkill : public Skill {
+class GestureSkill : public HeldSkill {
  public:
   enum class Kind { kPour, kScoop };
   // `receiver` empty: the sink.
-  GestureSkill(Action action, Kind kind, std::string tool, std::string receiver)
-      : action_(std::move(action)), kind_(kind), tool_(std::move(tool)), receiver_(std::move(receiver)) {}
-  Expected<Phases> attempt(Workbench& bench, int number) override;
+  GestureSkill(const Action& action, Kind kind, std::string tool, std::string receiver)
+      : HeldSkill(to_string(action), std::move(tool)), kind_(kind), receiver_(std::move(receiver)) {}
 
  private:
+  Expected<Phases> use(Workbench& bench, std::size_t arm) override;
+  bool another_grip_may_help(const Workbench& bench) const override;
   std::vector<Reach> ways(const Workbench& bench, std::size_t arm, const Pose& mouth, double beside,
                           bool reserve) const;
 
-  Action action_;
   Kind kind_;
-  std::string tool_, receiver_;
-  std::set<std::size_t> failed_;
+  std::string receiver_;
 };
 
 // keep-in a bin or bag, keep-on a plate, add what is not poured, place-utensil, insert: into or onto another
 // movable thing.
-class PutSkill : public Skill {
+class PutSkill : public HeldSkill {
  public:
-  PutSkill(Action action, std::string object, std::string receiver)
-      : action_(std::move(action)), object_(std::move(object)), receiver_(std::move(receiver)) {}
-  Expected<Phases> attempt(Workbench& bench, int number) override;
+  PutSkill(const Action& action, std::string object, std::string receiver)
+      : HeldSkill(to_string(action), std::move(object)), receiver_(std::move(receiver)) {}
 
  private:
+  Expected<Phases> use(Workbench& bench, std::size_t arm) override;
   Expected<std::vector<Reach>> ways(Workbench& bench, std::size_t arm, const Pose& receiver) const;
 
-  Action action_;
-  std::string object_, receiver_;
-  std::set<std::size_t> failed_;
+  std::string receiver_;
 };
 
 // fill v source: what a hand holds is held under the running outlet of a fixture.
-class FillSkill : public Skill {
+class FillSkill : public HeldSkill {
  public:
-  FillSkill(std::string vessel, const scene::FillRule& outlet)
-      : vessel_(std::move(vessel)), outlet_(outlet) {}
-  Expected<Phases> attempt(Workbench& bench, int number) override;
+  FillSkill(const std::string& vessel, const scene::FillRule& outlet)
+      : HeldSkill("fill " + vessel + " " + outlet.fixture, vessel), outlet_(outlet) {}
 
  private:
-  std::string vessel_;
+  Expected<Phases> use(Workbench& bench, std::size_t arm) override;
+
   scene::FillRule outlet_;
-  std::set<std::size_t> failed_;
 };
 
 // open a bag: one hand holds it, the other takes its top between the fingers and pulls.
-class TearSkill : public Skill {
+class TearSkill : public HeldSkill {
  public:
-  explicit TearSkill(std::string object) : object_(std::move(object)) {}
-  Expected<Phases> attempt(Workbench& bench, int number) override;
+  explicit TearSkill(const std::string& object) : HeldSkill("open " + object, object) {}
 
  private:
-  std::string object_;
-  std::set<std::size_t> failed_;
+  Expected<Phases> use(Workbench& bench, std::size_t arm) override;
 };
 
 // Ways to take hold of an object with any empty hand. `pull`: offset of the last leg after lifting [m].

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace goalnet::manipulation {
 namespace {
@@ -11,23 +12,17 @@ constexpr double kMinConditioning =
     0.04;                      // smallest singular value at the first pose: keep away from singularities
 constexpr double kGap = 0.05;  // [m] wanted between the robot's trunk and furniture; less if need be
 
+// A way that worked from none of so many stands makes room for others: it may be impossible from anywhere.
+constexpr int kMostFailures = 60;
+
 struct Candidate {
   Stand stand;
   double cost = 0;
   bool drives = true;
+  bool in_the_way = false;  // found out that something is
 };
 
 double wrap(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
-
-// Robot configuration as it will be at a stand: other arms tucked if the base moves.
-Configuration posture_at(const Workbench& bench, const Stand& stand, bool drives) {
-  Configuration q = bench.with_stand(bench.now(), stand);
-  if (!drives) return q;
-  for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
-    if (const auto carry = bench.carry_posture(arm)) q = bench.with_arm(q, arm, *carry);
-  }
-  return q;
-}
 
 std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reach>& reaches,
                                   const StandSearchOptions& options) {
@@ -41,7 +36,7 @@ std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reac
   }
   std::vector<Candidate> out;
   const auto add = [&](const Stand& stand, double cost, bool drives) {
-    out.push_back({stand, cost, drives});
+    out.push_back({stand, cost, drives, false});
   };
   std::vector<double> lifts{here.lift};
   for (const double share : {0.95, 0.7, 0.45, 0.2, 0.0})
@@ -72,7 +67,7 @@ std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reac
     for (int turn = 0; turn < 24; ++turn) {
       const double yaw = here.yaw + wrap(turn * std::numbers::pi / 12 - here.yaw);
       const Eigen::Rotation2Dd rotation(yaw);
-      for (const double ahead : {0.62, 0.70, 0.54, 0.78, 0.86, 0.47}) {
+      for (const double ahead : {0.62, 0.70, 0.54, 0.78, 0.86, 0.47, 0.95, 1.04}) {
         for (const double across : {0.2, 0.05, 0.35, -0.1, 0.5, -0.25, 0.65}) {
           const double y = target.side > 0 ? across : -across;
           const Eigen::Vector2d at = target.point.head<2>() - rotation * Eigen::Vector2d(ahead, y);
@@ -104,60 +99,99 @@ std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reac
 class Search {
  public:
   Search(Workbench& bench, const std::vector<Reach>& reaches, const StandSearchOptions& options)
-      : bench_(bench), reaches_(reaches), options_(options) {
+      : bench_(bench),
+        reaches_(reaches),
+        options_(options),
+        most_tries_(bench.supposes() ? options.most_tries / 10 : options.most_tries),
+        most_failures_(bench.supposes() ? kMostFailures / 10 : kMostFailures),
+        driving_(bench.now()) {
     for (std::size_t i = 0; i < reaches.size(); ++i) order_.push_back(i);
+    failures_.resize(reaches.size(), 0);
     hand_fits_.resize(reaches.size());
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
       return reaches_[a].preference < reaches_[b].preference;
     });
+    if (!options.may_drive) return;
+    for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
+      if (const auto carry = bench.carry_posture(arm)) driving_ = bench.with_arm(driving_, arm, *carry);
+    }
   }
 
-  // Tries the reaches of places [from, to) among those within arm's length.
-  std::optional<ReachSolution> try_stand(const Candidate& candidate, std::size_t from, std::size_t to) {
-    const Configuration q = posture_at(bench_, candidate.stand, candidate.drives);
+  // Tries the reaches of places [from, to) among those within arm's length. From the cheapest question to the
+  // dearest: lengths, room for the hand, the robot's own room, inverse kinematics, collisions along the way.
+  std::optional<ReachSolution> try_stand(Candidate& candidate, std::size_t from, std::size_t to) {
+    if (candidate.in_the_way) return std::nullopt;
+    const Configuration q = bench_.with_stand(candidate.drives ? driving_ : bench_.now(), candidate.stand);
+    const std::vector<std::size_t> chosen = options_.stand_only ? order_ : within_length(q, from, to);
+    if (chosen.empty()) return std::nullopt;
     bench_.checker().ignore_riding(candidate.drives);
-    if (candidate.drives) {
-      const CollisionQuery trunk{&bench_.checker().trunk_parts(), kGap, nullptr, false};
-      if (bench_.checker().collides(q, trunk)) return std::nullopt;
-      const CollisionQuery all{&bench_.checker().all_parts(), bench_.params().drive_margin, nullptr, true};
-      if (bench_.checker().collides(q, all)) return std::nullopt;
-    }
-    // Raising the lift takes the other arms along.
-    std::vector<bool> blocked(bench_.arm_count(), false);
-    if (!candidate.drives && std::abs(candidate.stand.lift - bench_.stand_of(bench_.now()).lift) > 1e-4) {
-      for (std::size_t arm = 0; arm < blocked.size(); ++arm) {
-        const CollisionQuery query{&bench_.checker().arm_parts(arm), bench_.params().contact_margin, nullptr,
-                                   true};
-        blocked[arm] = bench_.checker().collides(q, query);
-      }
-    }
-    const auto others_are_free = [&](std::size_t arm) {
-      for (std::size_t other = 0; other < blocked.size(); ++other)
-        if (other != arm && blocked[other]) return false;
-      return true;
-    };
-    std::size_t place = 0;
-    for (const std::size_t index : order_) {
-      if (place >= to || tries_ >= options_.most_tries) break;
-      if (!others_are_free(reaches_[index].arm)) continue;
+    candidate.in_the_way = candidate.drives && has_no_room(q, candidate.stand);
+    if (candidate.in_the_way) return std::nullopt;
+    const std::vector<bool> blocked = blocked_by_lifting(q, candidate);
+    for (const std::size_t index : chosen) {
+      if (tries_ >= most_tries_) break;
+      const Reach& reach = reaches_[index];
+      bool free = true;
+      for (std::size_t arm = 0; arm < blocked.size(); ++arm)
+        free = free && (arm == reach.arm || !blocked[arm]);
+      if (!free) continue;
       if (options_.stand_only) {
         ++tries_;
-        if (options_.accept && !options_.accept(q, reaches_[index], {})) continue;
+        if (options_.accept && !options_.accept(q, reach, {})) continue;
         return ReachSolution{candidate.stand, candidate.drives, index, {}};
       }
-      if (!within_length(q, reaches_[index]) || !hand_fits(index) || place++ < from) continue;
-      if (auto along = try_reach(q, reaches_[index])) {
+      if (auto along = try_reach(q, reach))
         return ReachSolution{candidate.stand, candidate.drives, index, std::move(*along)};
-      }
+      ++failures_[index];
     }
     return std::nullopt;
   }
 
+  bool exhausted() const { return tries_ >= most_tries_; }
+
+  // Forgets the reaches whose hand has no room, and says whether any are left: if not, no stand will do.
+  bool any_hand_fits() {
+    if (!options_.stand_only) std::erase_if(order_, [&](std::size_t index) { return !hand_fits(index); });
+    return !order_.empty();
+  }
+
  private:
-  // Quick no: too far, or reaching back towards oneself.
-  bool within_length(const Configuration& stand, const Reach& reach) const {
-    const Pose first = bench_.arm_base_pose(stand, reach.arm).inverse() * reach.tool.front();
-    return first.translation().norm() < 1.15 && (options_.backwards || first.linear()(0, 2) > -0.35);
+  std::vector<std::size_t> within_length(const Configuration& q, std::size_t from, std::size_t to) {
+    std::vector<Pose> bases;
+    for (std::size_t arm = 0; arm < bench_.arm_count(); ++arm)
+      bases.push_back(bench_.arm_base_pose(q, arm).inverse());
+    std::vector<std::size_t> chosen;
+    std::size_t place = 0;
+    for (const std::size_t index : order_) {
+      if (place >= to) break;
+      const Reach& reach = reaches_[index];
+      const Pose first = bases[reach.arm] * reach.tool.front();
+      // Too far, or reaching back towards oneself.
+      if (first.translation().norm() >= 1.15 || (!options_.backwards && first.linear()(0, 2) <= -0.35))
+        continue;
+      if (failures_[index] < most_failures_ && hand_fits(index) && place++ >= from) chosen.push_back(index);
+    }
+    return chosen;
+  }
+
+  // Whether the robot, ready to drive, would be too near to something there.
+  bool has_no_room(const Configuration& q, const Stand& stand) const {
+    if (bench_.leads_nowhere(stand)) return true;
+    const CollisionQuery trunk{&bench_.checker().trunk_parts(), kGap, nullptr, false};
+    const CollisionQuery all{&bench_.checker().all_parts(), bench_.params().drive_margin, nullptr, true};
+    return bench_.checker().collides(q, trunk) || bench_.checker().collides(q, all);
+  }
+
+  // Raising the lift takes the other arms along: those that would touch something.
+  std::vector<bool> blocked_by_lifting(const Configuration& q, const Candidate& candidate) const {
+    std::vector<bool> blocked(bench_.arm_count(), false);
+    const bool lifts = std::abs(candidate.stand.lift - bench_.stand_of(bench_.now()).lift) > 1e-4;
+    for (std::size_t arm = 0; arm < blocked.size() && lifts && !candidate.drives; ++arm) {
+      const CollisionQuery query{&bench_.checker().arm_parts(arm), bench_.params().contact_margin, nullptr,
+                                 true};
+      blocked[arm] = bench_.checker().collides(q, query);
+    }
+    return blocked;
   }
 
   // Quick no: where the hand should be there is something already, wherever the robot stands. Found out once,
@@ -199,6 +233,7 @@ class Search {
     for (const auto& start : arm.solve(first, seed, 16, 0.05)) {
       if (tried > 0 && robot::largest_step(start, last) < 0.2) continue;
       if (tried >= 10) break;
+      if (bench_.leads_nowhere(bench_.stand_of(stand), reach.arm, start)) continue;
       if (bench_.checker().collides(bench_.with_arm(q, reach.arm, start), query)) {
         last = start;
         ++tried;
@@ -219,7 +254,11 @@ class Search {
   Workbench& bench_;
   const std::vector<Reach>& reaches_;
   const StandSearchOptions& options_;
-  std::vector<std::size_t> order_;
+  const std::size_t most_tries_;
+  const int most_failures_;  // of one reach
+  Configuration driving_;                       // as now, arms as they are while the base moves
+  std::vector<std::size_t> order_;              // reaches, best first
+  std::vector<int> failures_;                   // by reach: stands from which it did not work
   std::vector<std::optional<bool>> hand_fits_;  // by reach; empty: not looked at yet
   std::size_t tries_ = 0;
 };
@@ -233,15 +272,19 @@ Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& r
   Search search(bench, reaches, options);
   // First only the best ways everywhere: a better stand is found sooner than a contorted reach from this one.
   constexpr std::size_t kBest = 24;
-  const auto stands = candidates(bench, reaches, options);
+  auto stands = candidates(bench, reaches, options);
   const std::pair<std::size_t, std::size_t> passes[] = {{0, kBest}, {kBest, options.most_reaches}};
+  bool pruned = false;
   for (const auto& [from, to] : passes) {
     if (from >= std::min(to, reaches.size())) continue;
-    for (const auto& stand : stands) {
+    for (auto& stand : stands) {
       if (bench.stopped()) return fail(Outcome::kCancelled, "cancelled while looking for a place to stand");
+      if (search.exhausted()) break;
       auto solution = search.try_stand(stand, from, to);
       bench.checker().ignore_riding(false);
       if (solution) return std::move(*solution);
+      if (!std::exchange(pruned, true) && !search.any_hand_fits())
+        return fail(Outcome::kMotionFailed, "there is no room for the hand and what it holds");
     }
   }
   return fail(Outcome::kMotionFailed,

@@ -52,7 +52,8 @@ class Search {
       for (const double ahead : {0.50, 0.42, 0.58}) {
         for (const double across : {0.10, 0.02, 0.18}) {
           for (const double up : {-0.20, -0.08, 0.04}) {
-            if (tries_ > kMostTries || bench_.stopped()) return std::nullopt;
+            if (tries_ > (bench_.supposes() ? kMostTries / 10 : kMostTries) || bench_.stopped())
+              return std::nullopt;
             Pose object = Pose::Identity();
             object.linear() = Eigen::AngleAxisd(heading + turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
             object.translation() = Eigen::Vector3d(ahead, side * across, up);
@@ -131,12 +132,21 @@ Expected<TwoHandSolution> find_two_hands(Workbench& bench, std::size_t holder, c
   return fail(Outcome::kMotionFailed, "the two hands do not get at it together without touching something");
 }
 
-void add_hold_out(Phases& phases, const TwoHandSolution& solution) {
+Expected<Reach> add_way_with_both(Phases& phases, Workbench& bench, std::size_t holder, const WaysAt& ways,
+                                  const std::string& what) {
+  const auto both = find_two_hands(bench, holder, ways);
+  if (!both) return fail(both.error().outcome, what + ": " + both.error().message);
+  const Reach& reach = both->reaches[both->work.reach];
+  add_back_off(phases, bench);
+  add_go_to(phases, bench, both->work);
   Phase phase;
   phase.stage = "hold out";
-  phase.plan = [holder = solution.holder, posture = solution.held_out,
-                lift = solution.work.stand.lift](Workbench& b) { return b.move_arm(holder, posture, lift); };
+  phase.plan = [holder, posture = both->held_out, lift = both->work.stand.lift](Workbench& b) {
+    return b.move_arm(holder, posture, lift);
+  };
   phases.push_back(phase);
+  add_approach(phases, both->work, reach);
+  return reach;
 }
 
 }  // namespace goalnet::manipulation

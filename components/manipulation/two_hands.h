@@ -24,7 +24,9 @@ using WaysAt = std::function<std::vector<Reach>(const Pose& held)>;
 // kCancelled.
 Expected<TwoHandSolution> find_two_hands(Workbench& bench, std::size_t holder, const WaysAt& ways);
 
-// The motion of the holding arm; after going there, before the working arm's approach.
-void add_hold_out(Phases& phases, const TwoHandSolution& solution);
+// Adds the way there: back off, go, hold out, approach; returns what the working arm does. Errors are
+// find_two_hands's, introduced by `what`.
+Expected<Reach> add_way_with_both(Phases& phases, Workbench& bench, std::size_t holder, const WaysAt& ways,
+                                  const std::string& what);
 
 }  // namespace goalnet::manipulation

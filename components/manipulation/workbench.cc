@@ -87,6 +87,17 @@ void Workbench::set_held(std::size_t arm, const std::optional<std::string>& obje
   observe(WorldView(world_));
 }
 
+void Workbench::suppose_grip(std::size_t arm, const Pose& object_in_tool) {
+  as_perceived_ = held_;
+  held_[arm]->object_in_tool = object_in_tool;
+  checker_.update(world_, held_);
+}
+
+void Workbench::end_supposition() {
+  held_ = std::exchange(as_perceived_, {});
+  checker_.update(world_, held_);
+}
+
 std::optional<std::size_t> Workbench::arm_holding(const std::string& object) const {
   for (std::size_t arm = 0; arm < held_.size(); ++arm) {
     if (held_[arm] && held_[arm]->name == object) return arm;
@@ -100,6 +111,28 @@ void Workbench::set_command(const std::vector<std::string>& joints, const std::v
     const int j = model_.index_of(joints[i]);
     if (j >= 0) command_[static_cast<std::size_t>(j)] = positions[i];
   }
+}
+
+namespace {
+
+// Much the same place: what did not work there will not work here.
+bool same_place(const Stand& a, const Stand& b) {
+  return std::hypot(a.x - b.x, a.y - b.y) < 0.12 &&
+         std::abs(std::remainder(a.yaw - b.yaw, 2 * std::numbers::pi)) < 0.25;
+}
+
+}  // namespace
+
+bool Workbench::leads_nowhere(const Stand& stand) const {
+  return std::any_of(dead_ends_.begin(), dead_ends_.end(), [&](const DeadEnd& end) {
+    return !end.arm && same_place(end.stand, stand) && std::abs(end.stand.lift - stand.lift) < 0.1;
+  });
+}
+
+bool Workbench::leads_nowhere(const Stand& stand, std::size_t arm, const ArmPositions& posture) const {
+  return std::any_of(dead_ends_.begin(), dead_ends_.end(), [&](const DeadEnd& end) {
+    return end.arm == arm && same_place(end.stand, stand) && robot::largest_step(end.posture, posture) < 0.6;
+  });
 }
 
 Stand Workbench::stand_of(const Configuration& q) const {
@@ -170,11 +203,22 @@ JointVector Workbench::pick(const Configuration& q, const std::vector<int>& join
   return out;
 }
 
+bool Workbench::contains_something(const std::string& vessel) const {
+  const auto& contents = scene_.rules.contents;
+  return std::any_of(world_.facts.begin(), world_.facts.end(), [&](const Predicate& fact) {
+    if (fact.relation == "state")
+      return fact.subject == vessel &&
+             std::find(contents.begin(), contents.end(), fact.object) != contents.end();
+    return (fact.relation == "In" || fact.relation == "On") && fact.object == vessel;
+  });
+}
+
 double Workbench::tilt_limit(std::size_t arm) const {
   if (!held_[arm]) return std::numbers::pi;
   const auto* m = scene_.find_model_of(held_[arm]->name);
   if (m == nullptr) return params_.loose_tilt;
-  const double limit = m->cavity ? params_.upright_tilt : params_.loose_tilt;
+  const double limit =
+      m->cavity && contains_something(held_[arm]->name) ? params_.upright_tilt : params_.loose_tilt;
   // Already leaning further (a plate held askew): do not make it worse, but allow to move it at all.
   const Pose pose = tool_pose(now_, arm) * held_[arm]->object_in_tool;
   return std::max(limit, tilt_of(pose) + 0.1);

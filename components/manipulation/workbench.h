@@ -27,6 +27,14 @@ struct Stand {
   double x = 0, y = 0, yaw = 0, lift = 0;
 };
 
+// Where the way ended in this action: the base could not get to `stand`, or, with a posture, the arm not into
+// it there.
+struct DeadEnd {
+  Stand stand;
+  std::optional<std::size_t> arm;  // empty: the base
+  ArmPositions posture{};          // [rad]
+};
+
 // Belongs to one thread. Deterministic: the same calls give the same motions.
 class Workbench {
  public:
@@ -54,10 +62,21 @@ class Workbench {
   const std::vector<std::optional<HeldObject>>& held() const { return held_; }
   void set_held(std::size_t arm, const std::optional<std::string>& object);
   std::optional<std::size_t> arm_holding(const std::string& object) const;
+  // Supposes that an arm holds what it holds in another way, until the end of the supposition; searches in
+  // vain give up ten times as soon meanwhile.
+  void suppose_grip(std::size_t arm, const Pose& object_in_tool);
+  void end_supposition();
+  bool supposes() const { return !as_perceived_.empty(); }
 
   // Positions that were last commanded; the runner reports the end of every motion. Empty: as measured.
   void set_command(const std::vector<std::string>& joints, const std::vector<double>& positions);
   void forget_command() { command_.clear(); }
+
+  // What was found out on the way since the action began: find_stand() looks elsewhere.
+  void note_dead_end(const DeadEnd& end) { dead_ends_.push_back(end); }
+  void forget_dead_ends() { dead_ends_.clear(); }
+  bool leads_nowhere(const Stand& stand) const;
+  bool leads_nowhere(const Stand& stand, std::size_t arm, const ArmPositions& posture) const;
 
   void set_stop_check(std::function<bool()> stopped) { stopped_ = std::move(stopped); }
   bool stopped() const { return stopped_ && stopped_(); }
@@ -107,6 +126,7 @@ class Workbench {
   TimedJoints timed(const std::vector<int>& joints, double speed = 1.0) const;
   JointVector pick(const Configuration& q, const std::vector<int>& joints) const;
   std::optional<ArmPositions> empty_posture(std::size_t arm) const;
+  bool contains_something(const std::string& vessel) const;
   bool upright(const Configuration& q, std::size_t arm, double limit) const;
 
   const robot::RobotModel model_;
@@ -122,7 +142,9 @@ class Workbench {
   Configuration now_;
   Configuration command_;
   std::vector<std::optional<HeldObject>> held_;
-  std::vector<std::optional<ArmPositions>> carry_;  // posture in which each arm was last tucked
+  std::vector<std::optional<HeldObject>> as_perceived_;  // held_ while something else is supposed; else empty
+  std::vector<std::optional<ArmPositions>> carry_;       // posture in which each arm was last tucked
+  std::vector<DeadEnd> dead_ends_;
   std::function<bool()> stopped_;
 };
 

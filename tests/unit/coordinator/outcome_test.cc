@@ -268,6 +268,12 @@ TEST_F(Outcomes, EmergencyStopIsNotRetried) {
   expect_end(Outcome::kEmergencyStop, "emergency stop");
 }
 
+TEST_F(Outcomes, WhatDoesNotFitIsNotTriedAgain) {
+  start_acting();
+  play->finish_action(Outcome::kNoPlan, "it does not fit");
+  expect_end(Outcome::kNoPlan, "it does not fit");
+}
+
 TEST_F(Outcomes, InternalErrorIsNotRetried) {
   start_acting();
   play->finish_action(Outcome::kInternal, "bug");

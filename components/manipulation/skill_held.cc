@@ -1,0 +1,64 @@
+// What all actions with a held thing share: whether it is in a hand, and in the right way.
+#include "components/manipulation/grasp_candidates.h"
+#include "components/manipulation/skills.h"
+
+namespace goalnet::manipulation {
+namespace {
+
+constexpr std::size_t kMostGrips = 16;  // looked at: a search for each
+constexpr std::size_t kEnough = 4;      // grips that would do
+
+// Much the same grip: where one does not do, the other will not either.
+bool alike(const Pose& a, const Pose& b) {
+  const Eigen::Quaterniond turn_a(a.linear()), turn_b(b.linear());
+  return turn_a.angularDistance(turn_b) < 0.4 && (a.translation() - b.translation()).norm() < 0.03;
+}
+
+}  // namespace
+
+Expected<Phases> HeldSkill::attempt(Workbench& bench, int number) {
+  if (takes_anew_ && !bench.arm_holding(held_)) return take_->attempt(bench, number);
+  takes_anew_ = false;
+  const auto arm = bench.arm_holding(held_);
+  if (!arm) return fail(Outcome::kMotionFailed, what_ + ": " + held_ + " is not in a hand");
+  auto phases = use(bench, *arm);
+  const bool in_vain = !phases && phases.error().outcome == Outcome::kMotionFailed;
+  if (!in_vain || take_ || !another_grip_may_help(bench)) return phases;
+  auto grips = other_grips(bench, *arm);
+  if (bench.stopped()) return fail(Outcome::kCancelled, what_ + ": cancelled");
+  if (grips.empty()) return phases;
+  auto down = PlaceSkill(held_, PlaceSkill::Where::kNearest, "").use(bench, *arm);
+  if (!down) return phases;
+  take_ = std::make_unique<GraspSkill>(held_, std::move(grips));
+  takes_anew_ = true;
+  return down;
+}
+
+// Tags, as in grasp_reaches, of ways to hold the thing with which use() finds a solution.
+std::set<std::size_t> HeldSkill::other_grips(Workbench& bench, std::size_t arm) {
+  std::set<std::size_t> good;
+  const auto candidates =
+      grasp_candidates(bench.scene().find_model_of(held_)->grasps, bench.model().arms[arm].gripper);
+  std::vector<Pose> seen{bench.held()[arm]->object_in_tool.inverse()};
+  const std::set<std::size_t> failed = std::exchange(failed_, {});
+  std::size_t found = 0;
+  for (const auto& candidate : candidates) {
+    const auto known = [&](const Pose& tool) { return alike(tool, candidate.tool); };
+    if (std::any_of(seen.begin(), seen.end(), known)) continue;
+    seen.push_back(candidate.tool);
+    bench.suppose_grip(arm, candidate.tool.inverse());
+    const bool works = use(bench, arm).has_value();
+    bench.end_supposition();
+    failed_.clear();
+    if (works) {
+      for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (alike(candidates[i].tool, candidate.tool)) good.insert(arm * 10'000 + i);
+      ++found;
+    }
+    if (found == kEnough || seen.size() > kMostGrips || bench.stopped()) break;
+  }
+  failed_ = failed;
+  return good;
+}
+
+}  // namespace goalnet::manipulation
