@@ -77,6 +77,13 @@ Expected<ParticipantSettings> read_settings(const ContextOptions& options) {
     return fail(Outcome::kInvalidRequest,
                 "ROS_LOCALHOST_ONLY is '" + localhost_only + "'; it must be 0 or 1");
   }
+  // Whoever asks for encryption must not get a robot that anybody may order about.
+  if (environment("ROS_SECURITY_ENABLE") == "true" && environment("ROS_SECURITY_STRATEGY") == "Enforce") {
+    return fail(
+        Outcome::kInvalidRequest,
+        "ROS_SECURITY_ENABLE is true and ROS_SECURITY_STRATEGY is Enforce, but this program cannot encrypt; "
+        "unset them, or keep it on a network of its own");
+  }
   settings.shared_memory = environment("GOALNET_SHARED_MEMORY") == "1";
   settings.static_peers = environment("ROS_STATIC_PEERS");
   settings.discovery_server = environment("ROS_DISCOVERY_SERVER");

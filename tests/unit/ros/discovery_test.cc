@@ -134,7 +134,7 @@ TEST(Discovery, TheFirstAnswerIsHeard) {
     std::unique_ptr<Context> context;
     std::thread maker([&] { context = make_context(kDomain); });
     std::optional<Announcement> heard;
-    const auto end = SteadyClock::now() + 5s;
+    const auto end = SteadyClock::now() + 10s;
     while ((!heard || heard->addresses.empty()) && SteadyClock::now() < end) heard = peer.heard();
     ASSERT_TRUE(heard);
     peer.announce_to(heard->addresses[0]);

@@ -292,6 +292,14 @@ TEST(Settings, FromTheEnvironment) {
     EXPECT_EQ(detail::read_settings({})->range, Range::kLocalhost) << "the older variable overrides";
   }
   EXPECT_EQ(detail::read_settings({})->distro, Distro::kJazzy);
+  {
+    Environment secure("ROS_SECURITY_ENABLE", "true");
+    EXPECT_TRUE(detail::read_settings({})) << "Permissive: as without";
+    Environment strategy("ROS_SECURITY_STRATEGY", "Enforce");
+    const auto settings = detail::read_settings({});
+    ASSERT_FALSE(settings) << "nothing of ours may speak openly where encryption is demanded";
+    EXPECT_THAT(settings.error().message, HasSubstr("ROS_SECURITY_ENABLE"));
+  }
   const std::pair<const char*, const char*> bad[] = {{"ROS_DOMAIN_ID", "kitchen"},
                                                      {"ROS_DOMAIN_ID", "300"},
                                                      {"GOALNET_ROS_DISTRO", "foxy"},
