@@ -200,6 +200,16 @@ TEST_F(NodeTest, ParameterServices) {
   }
   EXPECT_EQ(node.parameter<double>("limits.speed"), 2.0);
 
+  // ros2 param delete sets a parameter to "not set": refused, as of all parameters of a fixed type.
+  srv::SetParameters::Request removal;
+  rcl_interfaces::msg::Parameter nothing;
+  nothing.name("limits.speed");
+  removal.parameters({nothing});
+  const auto kept = set.call_and_run(removal, 2s);
+  ASSERT_TRUE(kept);
+  EXPECT_FALSE(kept->results().at(0).successful());
+  EXPECT_THAT(kept->results().at(0).reason(), HasSubstr("of type"));
+
   srv::SetParametersAtomically::Request atomic;
   atomic.parameters({parameter("limits.speed", 0.5), parameter("unknown", 1.0)});
   const auto none = set_all.call_and_run(atomic, 2s);
