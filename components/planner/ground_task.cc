@@ -27,29 +27,7 @@ void GroundTask::clear() {
   goal_impossible = false;
   axioms.clear();
   derived.clear();
-  triggers.clear();
-}
-
-void derive(const GroundTask& task, Word* state) {
-  for (std::size_t atom = 0; atom < task.derived.size(); ++atom) {
-    if (task.derived[atom] != 0) make_true(state, 2 * static_cast<Literal>(atom) + 1);
-  }
-  std::vector<std::int32_t> fresh;  // atoms that became true
-  const auto fire = [&](const GroundAxiom& axiom) {
-    if (literal_holds(state, axiom.head) || !all_hold(task, state, task.conditions_of(axiom))) return;
-    make_true(state, axiom.head);
-    fresh.push_back(axiom.head >> 1);
-  };
-  for (std::size_t begin = 0, end = 0; begin < task.axioms.size(); begin = end) {
-    const std::int32_t layer = task.axioms[begin].layer;
-    for (end = begin; end < task.axioms.size() && task.axioms[end].layer == layer; ++end)
-      fire(task.axioms[end]);
-    while (!fresh.empty()) {
-      const auto atom = static_cast<std::size_t>(fresh.back());
-      fresh.pop_back();
-      for (const std::int32_t axiom : task.triggers[atom]) fire(task.axioms[static_cast<std::size_t>(axiom)]);
-    }
-  }
+  derivation.clear();
 }
 
 void apply_action(const GroundTask& task, const Word* state, const GroundAction& action, Word* next) {
@@ -58,7 +36,7 @@ void apply_action(const GroundTask& task, const Word* state, const GroundAction&
     if (!effect.conditional() || all_hold(task, state, task.conditions_of(effect)))
       make_true(next, effect.literal);
   }
-  if (!task.axioms.empty()) derive(task, next);
+  if (!task.axioms.empty()) task.derivation.run(next);
 }
 
 void initial_state(const GroundTask& task, std::vector<Word>* state) {
@@ -66,7 +44,7 @@ void initial_state(const GroundTask& task, std::vector<Word>* state) {
   for (std::size_t atom = 0; atom < task.initial.size(); ++atom) {
     if (task.initial[atom] != 0) (*state)[atom >> 6] |= Word{1} << (atom & 63u);
   }
-  if (!task.axioms.empty()) derive(task, state->data());
+  if (!task.axioms.empty()) task.derivation.run(state->data());
 }
 
 }  // namespace goalnet::planner

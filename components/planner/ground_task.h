@@ -10,6 +10,7 @@
 
 #include "components/planner/atom_table.h"
 #include "components/planner/compiled_domain.h"
+#include "components/planner/derivation.h"
 
 namespace goalnet::planner {
 
@@ -41,7 +42,6 @@ struct Junction {
 struct GroundAxiom {
   Literal head = 0;                                      // positive, of a derived atom
   std::uint32_t condition_begin = 0, condition_end = 0;  // in GroundTask::conditions
-  std::int32_t layer = 0;
 };
 
 struct GroundTask {
@@ -61,8 +61,8 @@ struct GroundTask {
   // layer they only support each other, and what they need not to hold belongs to a layer below. In every
   // state exactly those derived atoms hold that the axioms yield, layer by layer, starting from none.
   std::vector<GroundAxiom> axioms;
-  std::vector<std::uint8_t> derived;                // by atom; empty where there are no axioms
-  std::vector<std::vector<std::int32_t>> triggers;  // by atom: axioms of its layer that read it
+  std::vector<std::int32_t> derived;  // by atom: 0, or its layer plus one; empty where there are no axioms
+  Derivation derivation;
 
   void clear();
 
@@ -119,9 +119,6 @@ inline void make_true(Word* state, Literal literal) {
     state[atom >> 6] |= bit;
   }
 }
-
-// Sets the derived atoms as the rest of the state demands.
-void derive(const GroundTask& task, Word* state);
 
 // next = the state after the action; conditions are judged on `state`. The two must not overlap.
 void apply_action(const GroundTask& task, const Word* state, const GroundAction& action, Word* next);

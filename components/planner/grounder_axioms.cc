@@ -32,7 +32,6 @@ void Grounder::define(Literal literal) {
       if (value.kind == Value::Kind::kFalse) continue;
       GroundAxiom ground;
       ground.head = literal & ~1;
-      ground.layer = compiled_.domain.layer[static_cast<std::size_t>(predicate)];
       ground.condition_begin = static_cast<std::uint32_t>(task_->conditions.size());
       if (value.kind == Value::Kind::kCondition) task_->conditions.push_back(value.condition);
       ground.condition_end = static_cast<std::uint32_t>(task_->conditions.size());
@@ -49,35 +48,17 @@ void Grounder::define(Literal literal) {
   }
 }
 
-// Sorts the axioms by layer and notes which of them read what of their own layer.
+// Which atoms are derived, and how they are computed.
 void Grounder::finish_axioms() {
   GroundTask& task = *task_;
-  std::stable_sort(task.axioms.begin(), task.axioms.end(),
-                   [](const GroundAxiom& a, const GroundAxiom& b) { return a.layer < b.layer; });
   task.derived.assign(task.initial.size(), 0);
-  task.triggers.assign(task.initial.size(), {});
   for (std::size_t atom = 0; atom < task.derived.size(); ++atom) {
-    if (compiled_.domain.recursive(task.atoms.predicate(static_cast<std::int32_t>(atom)))) {
-      task.derived[atom] = 1;
-      task.changes[atom] = 1;
-    }
+    const PredicateId predicate = task.atoms.predicate(static_cast<std::int32_t>(atom));
+    if (!compiled_.domain.recursive(predicate)) continue;
+    task.derived[atom] = compiled_.domain.layer[static_cast<std::size_t>(predicate)] + 1;
+    task.changes[atom] = 1;
   }
-  const auto layer_of = [&](Literal literal) {
-    return compiled_.domain.layer[static_cast<std::size_t>(task.atoms.predicate(literal >> 1))];
-  };
-  for (std::size_t i = 0; i < task.axioms.size(); ++i) {
-    const auto note = [&](const auto& self, ConditionId condition) -> void {
-      if (condition < 0) {
-        for (const ConditionId child : task.children(task.junctions[static_cast<std::size_t>(~condition)]))
-          self(self, child);
-      } else if (layer_of(condition) == task.axioms[i].layer) {
-        auto& readers = task.triggers[static_cast<std::size_t>(condition >> 1)];
-        if (readers.empty() || readers.back() != static_cast<std::int32_t>(i))
-          readers.push_back(static_cast<std::int32_t>(i));
-      }
-    };
-    for (const ConditionId condition : task.conditions_of(task.axioms[i])) note(note, condition);
-  }
+  task.derivation.build(task);
 }
 
 }  // namespace goalnet::planner

@@ -203,6 +203,7 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
     case Formula::Kind::kExists: {
       const bool conjunction = formula.kind == Formula::Kind::kForall;
       const Formula& inner = formula.children.front();
+      for (const std::int32_t slot : formula.slots) binder_.values()[static_cast<std::size_t>(slot)] = -1;
       std::vector<ConditionId> children;
       bool decided = false;
       const auto recurse = [&](const auto& self, std::size_t i) -> void {

@@ -1,0 +1,33 @@
+(define (problem mystery-middle) (:domain mystery-strips)
+  (:objects
+    food0 food1 food2 food3 food4 food5 food6 food7 food8 food9 food10 food11 food12 food13 food14 food15 prov0 prov1
+    prov2 prov3 prov4 prov5 prov6 plan0 plan1 plan2 v0 v1 v2 v3 v4 c0 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14
+    c15 c16 c17 c18 c19)
+  (:init
+    (food food0) (food food1) (food food2) (food food3) (food food4) (food food5) (food food6) (food food7)
+    (food food8) (food food9) (food food10) (food food11) (food food12) (food food13) (food food14) (food food15)
+    (province prov0) (province prov1) (province prov2) (province prov3) (province prov4) (province prov5)
+    (province prov6) (planet plan0) (planet plan1) (planet plan2) (attacks prov0 prov1) (attacks prov1 prov2)
+    (attacks prov2 prov3) (attacks prov3 prov4) (attacks prov4 prov5) (attacks prov5 prov6) (orbits plan0 plan1)
+    (orbits plan1 plan2) (eats food4 food3) (eats food3 food4) (eats food3 food1) (eats food1 food3)
+    (eats food5 food4) (eats food4 food5) (eats food8 food0) (eats food0 food8) (eats food1 food0) (eats food0 food1)
+    (eats food11 food8) (eats food8 food11) (eats food7 food4) (eats food4 food7) (eats food12 food3)
+    (eats food3 food12) (eats food9 food7) (eats food7 food9) (eats food0 food10) (eats food10 food0)
+    (eats food0 food13) (eats food13 food0) (eats food15 food7) (eats food7 food15) (eats food12 food11)
+    (eats food11 food12) (eats food14 food11) (eats food11 food14) (eats food4 food13) (eats food13 food4)
+    (eats food10 food4) (eats food4 food10) (eats food2 food0) (eats food0 food2) (eats food1 food4)
+    (eats food4 food1) (eats food13 food3) (eats food3 food13) (eats food15 food6) (eats food6 food15)
+    (eats food6 food0) (eats food0 food6) (eats food2 food15) (eats food15 food2) (locale food0 prov5)
+    (locale food1 prov6) (locale food2 prov6) (locale food3 prov6) (locale food4 prov6) (locale food5 prov6)
+    (locale food6 prov4) (locale food7 prov5) (locale food8 prov3) (locale food9 prov3) (locale food10 prov4)
+    (locale food11 prov6) (locale food12 prov4) (locale food13 prov5) (locale food14 prov6) (locale food15 prov5)
+    (pleasure v0) (craves v0 food13) (harmony v0 plan2) (pleasure v1) (craves v1 food11) (harmony v1 plan2)
+    (pleasure v2) (craves v2 food7) (harmony v2 plan2) (pleasure v3) (craves v3 food0) (harmony v3 plan2)
+    (pleasure v4) (craves v4 food5) (harmony v4 plan2) (pain c0) (craves c0 food3) (pain c1) (craves c1 food6)
+    (pain c2) (craves c2 food8) (pain c3) (craves c3 food3) (pain c4) (craves c4 food15) (pain c5) (craves c5 food15)
+    (pain c6) (craves c6 food11) (pain c7) (craves c7 food2) (pain c8) (craves c8 food4) (pain c9) (craves c9 food9)
+    (pain c10) (craves c10 food13) (pain c11) (craves c11 food3) (pain c12) (craves c12 food1) (pain c13)
+    (craves c13 food10) (pain c14) (craves c14 food8) (pain c15) (craves c15 food7) (pain c16) (craves c16 food9)
+    (pain c17) (craves c17 food2) (pain c18) (craves c18 food1) (pain c19) (craves c19 food13))
+  (:goal (and
+    (craves c0 food11) (craves c1 food10) (craves c2 food4))))

@@ -1,0 +1,38 @@
+(define (problem openstacksadl-middle) (:domain openstacks-sequencedstrips-ADL)
+  (:objects
+    n0 n1 n2 n3 n4 n5 n6 n7 n8 n9 n10 n11 n12 n13 n14 n15 n16 n17 n18 n19 n20 n21 n22 n23 n24 n25 n26 n27 n28 n29 n30
+    - count o0 o1 o2 o3 o4 o5 o6 o7 o8 o9 o10 o11 o12 o13 o14 o15 o16 o17 o18 o19 o20 o21 o22 o23 o24 o25 o26 o27 o28
+    o29 - order p0 p1 p2 p3 p4 p5 p6 p7 p8 p9 p10 p11 p12 p13 p14 p15 p16 p17 p18 p19 p20 p21 p22 p23 p24 p25 p26 p27
+    p28 p29 - product)
+  (:init
+    (= (total-cost) 0) (stacks-avail n0) (next-count n0 n1) (next-count n1 n2) (next-count n2 n3) (next-count n3 n4)
+    (next-count n4 n5) (next-count n5 n6) (next-count n6 n7) (next-count n7 n8) (next-count n8 n9)
+    (next-count n9 n10) (next-count n10 n11) (next-count n11 n12) (next-count n12 n13) (next-count n13 n14)
+    (next-count n14 n15) (next-count n15 n16) (next-count n16 n17) (next-count n17 n18) (next-count n18 n19)
+    (next-count n19 n20) (next-count n20 n21) (next-count n21 n22) (next-count n22 n23) (next-count n23 n24)
+    (next-count n24 n25) (next-count n25 n26) (next-count n26 n27) (next-count n27 n28) (next-count n28 n29)
+    (next-count n29 n30) (waiting o0) (includes o0 p18) (waiting o1) (includes o1 p4) (includes o1 p11)
+    (includes o1 p29) (waiting o2) (includes o2 p15) (includes o2 p20) (includes o2 p18) (waiting o3)
+    (includes o3 p19) (waiting o4) (includes o4 p29) (waiting o5) (includes o5 p8) (includes o5 p17) (waiting o6)
+    (includes o6 p6) (waiting o7) (includes o7 p15) (includes o7 p17) (includes o7 p26) (waiting o8)
+    (includes o8 p15) (includes o8 p12) (includes o8 p20) (waiting o9) (includes o9 p7) (waiting o10)
+    (includes o10 p4) (includes o10 p27) (includes o10 p29) (waiting o11) (includes o11 p12) (includes o11 p23)
+    (includes o11 p0) (waiting o12) (includes o12 p24) (includes o12 p2) (includes o12 p5) (waiting o13)
+    (includes o13 p1) (includes o13 p9) (includes o13 p24) (waiting o14) (includes o14 p26) (waiting o15)
+    (includes o15 p15) (includes o15 p19) (waiting o16) (includes o16 p29) (includes o16 p28) (includes o16 p12)
+    (waiting o17) (includes o17 p25) (includes o17 p29) (includes o17 p13) (waiting o18) (includes o18 p23)
+    (includes o18 p25) (waiting o19) (includes o19 p14) (includes o19 p29) (includes o19 p4) (waiting o20)
+    (includes o20 p3) (includes o20 p1) (waiting o21) (includes o21 p15) (waiting o22) (includes o22 p8)
+    (waiting o23) (includes o23 p13) (includes o23 p24) (includes o23 p20) (waiting o24) (includes o24 p13)
+    (includes o24 p16) (waiting o25) (includes o25 p18) (includes o25 p11) (waiting o26) (includes o26 p18)
+    (includes o26 p13) (includes o26 p7) (waiting o27) (includes o27 p21) (includes o27 p29) (waiting o28)
+    (includes o28 p27) (waiting o29) (includes o29 p19) (includes o29 p21))
+  (:goal (and
+    (shipped o0) (made p0) (shipped o1) (made p1) (shipped o2) (made p2) (shipped o3) (made p3) (shipped o4)
+    (made p4) (shipped o5) (made p5) (shipped o6) (made p6) (shipped o7) (made p7) (shipped o8) (made p8)
+    (shipped o9) (made p9) (shipped o10) (made p10) (shipped o11) (made p11) (shipped o12) (made p12) (shipped o13)
+    (made p13) (shipped o14) (made p14) (shipped o15) (made p15) (shipped o16) (made p16) (shipped o17) (made p17)
+    (shipped o18) (made p18) (shipped o19) (made p19) (shipped o20) (made p20) (shipped o21) (made p21) (shipped o22)
+    (made p22) (shipped o23) (made p23) (shipped o24) (made p24) (shipped o25) (made p25) (shipped o26) (made p26)
+    (shipped o27) (made p27) (shipped o28) (made p28) (shipped o29) (made p29)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,27 @@
+(define (problem philosophers-middle) (:domain protocol)
+  (:objects
+    p0 p1 p2 p3 p4 p5 p6 p7 p8 p9 - process phil - proctype s0 s1 s2 s3 s4 - state q0 q1 q2 q3 q4 q5 q6 q7 q8 q9 -
+    queue fork - message t0 t1 t2 t3 t4 - transition zero one - number)
+  (:init
+    (is-zero zero) (inc zero one) (is-a-process p0 phil) (at-process p0 s0) (queue-size q0 zero) (is-max q0 one)
+    (writes p0 q0 t0) (reads p0 q0 t1) (reads p0 q1 t2) (writes p0 q0 t3) (writes p0 q1 t4) (is-a-process p1 phil)
+    (at-process p1 s0) (queue-size q1 zero) (is-max q1 one) (writes p1 q1 t0) (reads p1 q1 t1) (reads p1 q2 t2)
+    (writes p1 q1 t3) (writes p1 q2 t4) (is-a-process p2 phil) (at-process p2 s0) (queue-size q2 zero)
+    (is-max q2 one) (writes p2 q2 t0) (reads p2 q2 t1) (reads p2 q3 t2) (writes p2 q2 t3) (writes p2 q3 t4)
+    (is-a-process p3 phil) (at-process p3 s0) (queue-size q3 zero) (is-max q3 one) (writes p3 q3 t0) (reads p3 q3 t1)
+    (reads p3 q4 t2) (writes p3 q3 t3) (writes p3 q4 t4) (is-a-process p4 phil) (at-process p4 s0)
+    (queue-size q4 zero) (is-max q4 one) (writes p4 q4 t0) (reads p4 q4 t1) (reads p4 q5 t2) (writes p4 q4 t3)
+    (writes p4 q5 t4) (is-a-process p5 phil) (at-process p5 s0) (queue-size q5 zero) (is-max q5 one)
+    (writes p5 q5 t0) (reads p5 q5 t1) (reads p5 q6 t2) (writes p5 q5 t3) (writes p5 q6 t4) (is-a-process p6 phil)
+    (at-process p6 s0) (queue-size q6 zero) (is-max q6 one) (writes p6 q6 t0) (reads p6 q6 t1) (reads p6 q7 t2)
+    (writes p6 q6 t3) (writes p6 q7 t4) (is-a-process p7 phil) (at-process p7 s0) (queue-size q7 zero)
+    (is-max q7 one) (writes p7 q7 t0) (reads p7 q7 t1) (reads p7 q8 t2) (writes p7 q7 t3) (writes p7 q8 t4)
+    (is-a-process p8 phil) (at-process p8 s0) (queue-size q8 zero) (is-max q8 one) (writes p8 q8 t0) (reads p8 q8 t1)
+    (reads p8 q9 t2) (writes p8 q8 t3) (writes p8 q9 t4) (is-a-process p9 phil) (at-process p9 s0)
+    (queue-size q9 zero) (is-max q9 one) (writes p9 q9 t0) (reads p9 q9 t1) (reads p9 q0 t2) (writes p9 q9 t3)
+    (writes p9 q0 t4) (trans phil t0 s0 s1) (trans-msg t0 fork) (trans phil t1 s1 s2) (trans-msg t1 fork)
+    (trans phil t2 s2 s3) (trans-msg t2 fork) (trans phil t3 s3 s4) (trans-msg t3 fork) (trans phil t4 s4 s1)
+    (trans-msg t4 fork))
+  (:goal (and
+    (blocked p0) (blocked p1) (blocked p2) (blocked p3) (blocked p4) (blocked p5) (blocked p6) (blocked p7)
+    (blocked p8) (blocked p9))))

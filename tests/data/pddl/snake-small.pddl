@@ -1,0 +1,22 @@
+(define (problem snake-small) (:domain snake)
+  (:objects
+    pos0-0 pos0-1 pos0-2 pos0-3 pos1-0 pos1-1 pos1-2 pos1-3 pos2-0 pos2-1 pos2-2 pos2-3 pos3-0 pos3-1 pos3-2 pos3-3)
+  (:init
+    (ISADJACENT pos0-0 pos1-0) (ISADJACENT pos0-0 pos0-1) (ISADJACENT pos0-1 pos1-1) (ISADJACENT pos0-1 pos0-2)
+    (ISADJACENT pos0-1 pos0-0) (ISADJACENT pos0-2 pos1-2) (ISADJACENT pos0-2 pos0-3) (ISADJACENT pos0-2 pos0-1)
+    (ISADJACENT pos0-3 pos1-3) (ISADJACENT pos0-3 pos0-2) (ISADJACENT pos1-0 pos2-0) (ISADJACENT pos1-0 pos0-0)
+    (ISADJACENT pos1-0 pos1-1) (ISADJACENT pos1-1 pos2-1) (ISADJACENT pos1-1 pos0-1) (ISADJACENT pos1-1 pos1-2)
+    (ISADJACENT pos1-1 pos1-0) (ISADJACENT pos1-2 pos2-2) (ISADJACENT pos1-2 pos0-2) (ISADJACENT pos1-2 pos1-3)
+    (ISADJACENT pos1-2 pos1-1) (ISADJACENT pos1-3 pos2-3) (ISADJACENT pos1-3 pos0-3) (ISADJACENT pos1-3 pos1-2)
+    (ISADJACENT pos2-0 pos3-0) (ISADJACENT pos2-0 pos1-0) (ISADJACENT pos2-0 pos2-1) (ISADJACENT pos2-1 pos3-1)
+    (ISADJACENT pos2-1 pos1-1) (ISADJACENT pos2-1 pos2-2) (ISADJACENT pos2-1 pos2-0) (ISADJACENT pos2-2 pos3-2)
+    (ISADJACENT pos2-2 pos1-2) (ISADJACENT pos2-2 pos2-3) (ISADJACENT pos2-2 pos2-1) (ISADJACENT pos2-3 pos3-3)
+    (ISADJACENT pos2-3 pos1-3) (ISADJACENT pos2-3 pos2-2) (ISADJACENT pos3-0 pos2-0) (ISADJACENT pos3-0 pos3-1)
+    (ISADJACENT pos3-1 pos2-1) (ISADJACENT pos3-1 pos3-2) (ISADJACENT pos3-1 pos3-0) (ISADJACENT pos3-2 pos2-2)
+    (ISADJACENT pos3-2 pos3-3) (ISADJACENT pos3-2 pos3-1) (ISADJACENT pos3-3 pos2-3) (ISADJACENT pos3-3 pos3-2)
+    (tailsnake pos0-0) (headsnake pos1-0) (nextsnake pos1-0 pos0-0) (blocked pos0-0) (blocked pos1-0)
+    (ispoint pos3-3) (ispoint pos3-0) (spawn pos0-1) (NEXTSPAWN pos0-1 pos3-2) (NEXTSPAWN pos3-2 pos2-0)
+    (NEXTSPAWN pos2-0 dummypoint))
+  (:goal (and
+    (not (ispoint pos3-3)) (not (ispoint pos3-0)) (not (ispoint pos0-1)) (not (ispoint pos3-2))
+    (not (ispoint pos2-0)))))
