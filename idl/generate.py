@@ -158,8 +158,12 @@ def write_user_headers(output, pkg, files):
 
 def run_fastddsgen(work, idl_files):
     """One call for all packages. Leaves the C++ in `work`."""
-    command = [shutil.which("fastddsgen") or "fastddsgen", "-cs", "-typeros2", "-replace", "-d", str(work), "-I",
-               str(work), *[file.name for file in idl_files]]
+    # It preprocesses into the system's temporary folder under the files' names, where another build would
+    # overwrite them.
+    temporary = work / "preprocessed"
+    temporary.mkdir(exist_ok=True)
+    command = [shutil.which("fastddsgen") or "fastddsgen", "-cs", "-typeros2", "-replace", "-d", str(work), "-t",
+               str(temporary), "-I", str(work), *[file.name for file in idl_files]]
     # Only a second of work: the quick compiler and a small heap start faster than the defaults.
     options = {**os.environ, "JAVA_TOOL_OPTIONS": "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xshare:auto"}
     done = subprocess.run(command, cwd=work, capture_output=True, text=True, env=options)
