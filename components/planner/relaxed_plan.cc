@@ -17,6 +17,7 @@ void RelaxedPlanner::restart(const RelaxedTask& relaxed) {
   unsatisfied_.resize(relaxed.operators().size());
   sum_.resize(relaxed.operators().size());
   in_plan_.assign(relaxed.task().actions.size(), 0);
+  counts_actions_ = false;
   extra_ = 0;
   for (const GroundAction& action : relaxed.task().actions) {
     if (action.cost == 0) extra_ = 1;
@@ -103,7 +104,7 @@ std::int64_t RelaxedPlanner::evaluate(const Word* state, Budget& budget) {
   std::int64_t total = 0;
   for (const std::int32_t action : plan_) {
     in_plan_[static_cast<std::size_t>(action)] = 0;
-    total += relaxed_->task().actions[static_cast<std::size_t>(action)].cost + extra_;
+    total += cost_of_action(action);
   }
   return total;
 }

@@ -17,6 +17,9 @@ class RelaxedPlanner {
   static constexpr std::int64_t kDeadEnd = INT64_MAX / 4;
 
   void restart(const RelaxedTask& relaxed);
+  // Whether every action is taken to cost 1, whatever it costs: cheap plans are not always those that are
+  // found first. Off after restart().
+  void count_actions(bool on) { counts_actions_ = on; }
   // The cost of a relaxed plan from `state`, or kDeadEnd. Where actions may be free, each counts one more.
   std::int64_t evaluate(const Word* state, Budget& budget);
   // Its actions, each after what it needs: the order in which a person would do them.
@@ -34,11 +37,15 @@ class RelaxedPlanner {
   void reach(Proposition p, std::int64_t cost, std::int32_t op);
   void extract(Proposition goal);
 
+  std::int64_t cost_of_action(std::int32_t action) const {
+    return counts_actions_ ? 1 : relaxed_->task().actions[static_cast<std::size_t>(action)].cost + extra_;
+  }
   std::int64_t cost_of(const RelaxedOperator& op) const {
-    return op.action < 0 ? 0 : relaxed_->cost(op) + extra_;
+    return op.action < 0 ? 0 : cost_of_action(op.action);
   }
 
   const RelaxedTask* relaxed_ = nullptr;
+  bool counts_actions_ = false;
   std::int64_t extra_ =
       0;  // per action: 1 if some are free, so that only what applies at once is reached for nothing
   std::vector<std::int64_t> cost_;         // by proposition

@@ -28,6 +28,10 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
                                                     const Word* initial, const SatisficingOptions& options,
                                                     Budget& budget, Statistics& statistics) {
   using Style = GreedySearch::Style;
+  struct CostsAgain {  // when this ends
+    RelaxedPlanner& heuristic;
+    ~CostsAgain() { heuristic.count_actions(false); }
+  } const costs_again{heuristic};
   const GroundTask& task = relaxed.task();
   plan_.clear();
   std::int64_t bound = options.upper_bound;
@@ -49,7 +53,8 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
   const auto operators = std::max<std::int64_t>(static_cast<std::int64_t>(relaxed.operators().size()), 1);
   std::int64_t states = std::clamp(kFirstWork / operators, kFewestStates, kMostStates);
   for (int turn = 0; turn < options.turns && !budget.check(); ++turn) {
-    int full = 0;  // searches that ran out of memory
+    int full = 0;                              // searches that ran out of memory
+    heuristic.count_actions((turn & 1) != 0);  // every other turn is for short plans instead of cheap ones
     for (int method = 0; method < 4 && !budget.check(); ++method) {
       if (method > 0 && !landmarks_known) {
         PairReachability pairs;
