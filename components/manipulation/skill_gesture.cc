@@ -173,7 +173,7 @@ Expected<Phases> GestureSkill::use(Workbench& bench, std::size_t arm) {
     double beside = 0;  // [m] from the middle of the mouth where it may still run in
     if (receiver_.empty()) {
       const auto sink = drain(bench.scene());
-      if (!sink) return fail(Outcome::kMotionFailed, what_ + ": there is no sink here");
+      if (!sink) return fail(Outcome::kNoPlan, what_ + ": there is no sink here");
       mouth.translation() = *sink;
     } else if (const Pose* pose = bench.world().object(receiver_)) {
       const auto& cavity = *bench.scene().find_model_of(receiver_)->cavity;
