@@ -131,14 +131,16 @@ Expected<Lexicon> Lexicon::load(const std::filesystem::path& path, Symbols& symb
 Expected<void> Lexicon::add_names(std::string_view text, const std::string& name) {
   try {
     const json file = json::parse(text);
-    for (const char* section : {"names", "also"})
-      for (const auto& [class_name, phrases] : file.at(section).items()) {
+    for (const char* section : {"names", "also"}) {
+      const json listed = file.value(section, json::object());
+      for (const auto& [class_name, phrases] : listed.items()) {
         const auto known = class_by_name_.find(class_name);
         if (known == class_by_name_.end()) continue;
         for (const auto& phrase : phrases)
           add_phrase(phrase.get_ref<const std::string&>(), known->second,
                      section == std::string_view("names"));
       }
+    }
   } catch (const json::exception& error) {
     return fail(Outcome::kInvalidRequest, name + ": " + error.what());
   }

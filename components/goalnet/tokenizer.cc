@@ -47,7 +47,7 @@ char plain_letter(std::uint32_t code) {
 
 }  // namespace
 
-Expected<std::vector<std::string>> tokenize(std::string_view sentence) {
+Expected<std::vector<std::string>> tokenize(std::string_view sentence, Endings endings) {
   if (sentence.size() > kMaxSentenceBytes)
     return fail(Outcome::kInvalidRequest, "the instruction has " + std::to_string(sentence.size()) +
                                               " bytes; at most " + std::to_string(kMaxSentenceBytes) +
@@ -82,7 +82,10 @@ Expected<std::vector<std::string>> tokenize(std::string_view sentence) {
                                                                  "who", "here", "how",   "he",   "she"};
         const std::string before = word;
         finish();
-        if (std::find(kIs.begin(), kIs.end(), before) != kIs.end()) words.emplace_back("is");
+        if (std::find(kIs.begin(), kIs.end(), before) != kIs.end())
+          words.emplace_back("is");
+        else if (endings == Endings::kKept && before != "let")
+          words.emplace_back("'s");
         if (before == "let") words.emplace_back("us");
         i = after + 1;
         continue;

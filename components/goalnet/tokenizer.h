@@ -1,6 +1,7 @@
 // Text to words: lower case, punctuation apart. Bounded in time and memory; never fails on odd characters.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,10 @@ inline constexpr std::size_t kMaxWords = 256;
 // arrows, pictures) separates. Accents of Latin letters are dropped. Letters of other scripts make words that
 // no model knows. Fails with kInvalidRequest for invalid UTF-8, control characters other than white space,
 // more than kMaxSentenceBytes bytes or kMaxWords words.
-Expected<std::vector<std::string>> tokenize(std::string_view sentence);
+enum class Endings : std::uint8_t {
+  kDropped,
+  kKept,  // "the kettle's hot" keeps "'s" as a word of its own: what it stands for, the words around it tell
+};
+Expected<std::vector<std::string>> tokenize(std::string_view sentence, Endings endings = Endings::kDropped);
 
 }  // namespace goalnet::inference

@@ -9,12 +9,6 @@ namespace goalnet::inference {
 
 using std::string_view_literals::operator""sv;
 
-namespace {
-
-constexpr int kMostRewrites = 1000;
-
-}  // namespace
-
 const std::vector<std::string>& Language::homes(const std::string& class_name) const {
   static const std::vector<std::string> kNowhere;
   const auto it = homes_.find(class_name);
@@ -153,26 +147,7 @@ const std::vector<std::string>* Language::wish(const std::string& word) const {
 }
 
 std::vector<std::string> Language::rewrite(std::vector<std::string> words, std::size_t most) const {
-  if (rewrites_.empty()) return words;
-  int left = kMostRewrites;
-  for (std::size_t i = 0; i < words.size();) {
-    const auto list = rewrites_.find(words[i]);
-    const Rewrite* fits = nullptr;
-    if (list != rewrites_.end())
-      for (const Rewrite& rule : list->second)
-        if (fits == nullptr && i + rule.from.size() <= words.size() &&
-            std::equal(rule.from.begin(), rule.from.end(), words.begin() + static_cast<long>(i)))
-          fits = &rule;
-    if (fits == nullptr || left-- <= 0 || words.size() + fits->to.size() > most) {
-      ++i;
-      continue;
-    }
-    const auto at = words.erase(words.begin() + static_cast<long>(i),
-                                words.begin() + static_cast<long>(i + fits->from.size()));
-    words.insert(at, fits->to.begin(), fits->to.end());
-    i = i < 4 ? 0 : i - 4;  // what was just written may be part of a longer phrase
-  }
-  return words;
+  return rewrites_.apply(std::move(words), most);
 }
 
 Symbol Language::content(const std::string& phrase) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "components/core/outcome.h"
+#include "components/goalnet/language/phrase_rules.h"
 #include "components/goalnet/lexicon.h"
 #include "components/goalnet/symbols.h"
 
@@ -66,6 +67,11 @@ class Language {
   // small words, ways of saying the same, states, wishes, other words for known ones. Fails with
   // kInvalidRequest.
   Expected<void> add_english(std::string_view json, const std::string& name);
+  // Adds how people talk besides (config/language/talk.json): the same sections, all of them optional, and rewrites as
+  // patterns (see PhraseRules) over "groups". Fails with kInvalidRequest.
+  Expected<void> add_talk(std::string_view json, const std::string& name);
+  // Whether it is a robot's, that people talk to: what only people in a room say is read too.
+  bool hears_people() const { return hears_people_; }
   Expected<void> add_other_words(std::string_view json, const std::string& name);
   // Adds what kinds of things English words name (config/language/kinds.json). Fails with kInvalidRequest.
   Expected<void> add_kinds(std::string_view json, const std::string& name);
@@ -125,12 +131,11 @@ class Language {
   const std::string& synonym(const std::string& word) const;
 
  private:
-  struct Rewrite {
-    std::vector<std::string> from, to;
-  };
   void collect_vocabulary();
   bool may_be_a_slip(const std::string& word) const;
   std::vector<std::string> within_a_slip(const std::string& word) const;
+  void add_state(const std::string& word, const std::string& wanted, const std::string& complaint,
+                 const std::string& opposite);
   void add_degrees(const std::vector<std::string>& units);
 
   std::vector<std::string> vocabulary_;  // sorted; what typing errors are corrected to
@@ -141,7 +146,8 @@ class Language {
       english_verbs_;
   std::unordered_map<std::string, StateWord> states_;
   std::unordered_map<std::string, std::vector<std::string>> wishes_;
-  std::unordered_map<std::string, std::vector<Rewrite>> rewrites_;  // by first word, longest first
+  PhraseRules rewrites_;
+  bool hears_people_ = false;
   std::unordered_map<std::string, std::string> synonyms_, kinds_;
   std::unordered_map<std::string, std::vector<std::string>> homes_;
   std::unordered_map<std::string, std::vector<std::string>> mistaken_;  // "of" -> "off"

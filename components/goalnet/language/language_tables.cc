@@ -93,9 +93,7 @@ void Language::collect_vocabulary() {
   for (const auto& [word, wish] : wishes_) vocabulary_.push_back(word);
   for (const std::string& word : questions_) vocabulary_.push_back(word);
   if (!rewrites_.empty()) {  // a language of whole sentences
-    for (const auto& [first, list] : rewrites_)
-      for (const Rewrite& rule : list)
-        vocabulary_.insert(vocabulary_.end(), rule.from.begin(), rule.from.end());
+    vocabulary_.insert(vocabulary_.end(), rewrites_.words().begin(), rewrites_.words().end());
     for (const std::string_view word : kGrammarWords) vocabulary_.emplace_back(word);
   }
   std::sort(vocabulary_.begin(), vocabulary_.end());
@@ -112,8 +110,7 @@ void Language::add_degrees(const std::vector<std::string>& units) {
         for (const std::string count :
              {"just a ", "just one ", "a wee ", "a little ", "a ", "one ", "another ", "two ", "three ",
               "a few ", "a couple of ", "a couple ", "some "}) {
-          Rewrite rewrite{split_words(by + count + word), {}};
-          rewrites_[rewrite.from.front()].push_back(std::move(rewrite));
+          rewrites_.add(split_words(by + count + word), {});
         }
     }
 }
@@ -134,20 +131,14 @@ Expected<void> Language::add_english(std::string_view text, const std::string& n
     for (const auto& word : file.at("no_verbs")) verbs_.erase(word.get<std::string>());
     for (const auto& word : file.at("questions")) questions_.insert(word.get<std::string>());
     for (const auto& word : file.at("no_adverbs")) no_adverbs_.insert(word.get<std::string>());
-    for (const auto& [word, entry] : file.at("states").items()) {
-      StateWord& state = states_[word];
-      state.wanted = frame_named(entry.value("wanted", ""));
-      state.complaint = frame_named(entry.value("complaint", ""));
-      state.opposite = entry.value("opposite", "");
-    }
+    for (const auto& [word, entry] : file.at("states").items())
+      add_state(word, entry.value("wanted", ""), entry.value("complaint", ""), entry.value("opposite", ""));
     for (const auto& [word, command] : file.at("wishes").items())
       wishes_[word] = split_words(command.get_ref<const std::string&>());
     for (const auto& rule : file.at("rewrites")) {
-      Rewrite rewrite{split_words(rule.at(0).get_ref<const std::string&>()),
-                      split_words(rule.at(1).get_ref<const std::string&>())};
-      if (rewrite.from.empty())
-        return fail(Outcome::kInvalidRequest, name + ": 'rewrites' has an empty phrase");
-      rewrites_[rewrite.from.front()].push_back(std::move(rewrite));
+      const auto from = split_words(rule.at(0).get_ref<const std::string&>());
+      if (from.empty()) return fail(Outcome::kInvalidRequest, name + ": 'rewrites' has an empty phrase");
+      rewrites_.add(from, split_words(rule.at(1).get_ref<const std::string&>()));
     }
     // Older models lack these.
     degrees = file.value("degrees", degrees);
@@ -165,10 +156,58 @@ Expected<void> Language::add_english(std::string_view text, const std::string& n
   }
   collect_vocabulary();
   add_degrees(degrees);
-  for (auto& [first, list] : rewrites_)
-    std::stable_sort(list.begin(), list.end(),
-                     [](const Rewrite& a, const Rewrite& b) { return a.from.size() > b.from.size(); });
   return {};
+}
+
+Expected<void> Language::add_talk(std::string_view text, const std::string& name) {
+  try {
+    const json file = json::parse(text);
+    const auto words_of = [&](const char* section, auto& set) {
+      const json list = file.value(section, json::array());
+      for (const auto& word : list) set.insert(word.template get<std::string>());
+    };
+    const json verbs = file.value("verbs", json::object());
+    for (const auto& [frame_name, words] : verbs.items()) {
+      const Frame frame = frame_named(frame_name);
+      if (frame == Frame::kNone)
+        return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
+      for (const auto& word : words) verbs_[word.get<std::string>()] = frame;
+    }
+    const json inflected = file.value("inflected", json::object()), states = file.value("states", json::object()),
+               wishes = file.value("wishes", json::object()), groups = file.value("groups", json::object()),
+               mistaken = file.value("mistaken", json::object()), rewrites = file.value("rewrites", json::array());
+    for (const auto& [form, base] : inflected.items()) inflected_[form] = base.get<std::string>();
+    for (const auto& [word, meant] : mistaken.items()) mistaken_[word] = meant.get<std::vector<std::string>>();
+    words_of("fillers", fillers_), words_of("known", seen_), words_of("people", people_), words_of("people", seen_);
+    words_of("no_adverbs", no_adverbs_);
+    for (const auto& [word, entry] : states.items()) add_state(word, entry.value("wanted", ""),
+                                                                entry.value("complaint", ""), entry.value("opposite", ""));
+    for (const auto& [word, command] : wishes.items())
+      wishes_[word] = split_words(command.get_ref<const std::string&>());
+    collect_vocabulary();  // typing errors are mended to these words, but not to those of the patterns
+    PhraseRules::Groups phrases;
+    for (const auto& [group, members] : groups.items())
+      for (const auto& member : members)
+        phrases[group].push_back(split_words(member.get_ref<const std::string&>()));
+    for (const auto& rule : rewrites) {
+      const auto from = split_words(rule.at(0).get_ref<const std::string&>());
+      const auto to = split_words(rule.at(1).get_ref<const std::string&>());
+      if (auto added = rewrites_.add_pattern(from, to, phrases); !added)
+        return fail(Outcome::kInvalidRequest, name + ": " + rule.dump() + ": " + added.error().message);
+    }
+    seen_.insert(rewrites_.words().begin(), rewrites_.words().end());
+  } catch (const json::exception& error) {
+    return fail(Outcome::kInvalidRequest, name + ": " + error.what());
+  }
+  hears_people_ = true;
+  return {};
+}
+
+void Language::add_state(const std::string& word, const std::string& wanted, const std::string& complaint,
+                         const std::string& opposite) {
+  StateWord& state = states_[word];
+  state.wanted = frame_named(wanted), state.complaint = frame_named(complaint);
+  state.opposite = opposite;
 }
 
 Expected<void> Language::add_other_words(std::string_view text, const std::string& name) {

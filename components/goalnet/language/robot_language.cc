@@ -24,10 +24,10 @@ Expected<std::string> text_of(const std::string& path) {
 
 Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   std::unique_ptr<RobotLanguage> robot(new RobotLanguage(symbols));
-  constexpr int kFiles = 5;
+  constexpr int kFiles = 6;
   std::string texts[kFiles], paths[kFiles];
   const char* names[kFiles] = {"language/household.json", "language/english.json", "language/words.json",
-                               "language/confidence.json", "language/kinds.json"};
+                               "language/confidence.json", "language/kinds.json",   "language/talk.json"};
   for (int i = 0; i < kFiles; ++i) {
     paths[i] = config_path(names[i]);
     auto text = text_of(paths[i]);
@@ -39,6 +39,8 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   robot->lexicon_ = std::make_unique<Lexicon>(std::move(*lexicon));
   if (auto added = robot->lexicon_->add_names(texts[1], paths[1]); !added)
     return tl::unexpected(added.error());
+  if (auto added = robot->lexicon_->add_names(texts[5], paths[5]); !added)
+    return tl::unexpected(added.error());
   auto language = Language::parse(texts[0], paths[0], *robot->lexicon_, symbols);
   if (!language) return tl::unexpected(language.error());
   robot->language_ = std::make_unique<Language>(std::move(*language));
@@ -47,6 +49,8 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   if (auto added = robot->language_->add_other_words(texts[2], paths[2]); !added)
     return tl::unexpected(added.error());
   if (auto added = robot->language_->add_kinds(texts[4], paths[4]); !added)
+    return tl::unexpected(added.error());
+  if (auto added = robot->language_->add_talk(texts[5], paths[5]); !added)
     return tl::unexpected(added.error());
   auto confidence = ReadingConfidence::parse(texts[3], paths[3]);
   if (!confidence) return tl::unexpected(confidence.error());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "components/goalnet/language/language.h"
+#include "components/goalnet/language/spoken_forms.h"
 #include "components/goalnet/language/ways_of_saying.h"
 #include "components/goalnet/lexicon.h"
 #include "components/goalnet/tokenizer.h"
@@ -76,6 +77,7 @@ bool is_sound(const std::string& word) {
 Words normal_words(const std::vector<std::string>& tokens, const Language& language) {
   Words words;
   std::vector<std::string> mended = tokens;
+  if (language.hears_people()) resolve_endings(mended, language);
   drop_numbering(mended);
   move_blanks(mended, language, words.corrected);
   join_pieces(mended, language, words.corrected);
@@ -98,11 +100,16 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
       text.push_back(lost_s ? mended_token + "s" : mended_token);  // "pilows" are pillows
     }
   }
+  if (language.hears_people()) {
+    drop_thrown_in(text, language);
+    afterthoughts_first(text);
+  }
   say_plainly(text, language);
   // Rules may speak of where a sentence begins and ends.
   if (text.empty() || text.back() != ".") text.emplace_back(".");
   text.insert(text.begin(), ".");
   text = language.rewrite(std::move(text), kMaxAfterRewriting);
+  if (language.hears_people()) join_pauses(text);
   join_wishes(text);
   for (std::string& word : text) {
     std::string stem = language.keeps_its_s(word) ? word : singular(word);

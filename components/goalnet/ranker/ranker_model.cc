@@ -62,7 +62,8 @@ Expected<void> RankerModel::read_language() {
 Expected<Goal> RankerModel::do_infer(const StepInput& input) {
   const std::uint64_t key = fingerprint_of(input);
   if (key != decoded_for_) {
-    const auto words = tokenize(input.sentence);
+    const auto words =
+        tokenize(input.sentence, use_ == ModelUse::kRobot ? Endings::kKept : Endings::kDropped);
     if (!words) return tl::unexpected(words.error());
     decoded_ = decode(input);
     decoded_for_ = key;
@@ -82,7 +83,8 @@ Expected<Goal> RankerModel::do_infer(const StepInput& input) {
 }
 
 RankerModel::Decoded RankerModel::decode(const StepInput& input) {
-  const auto words = *tokenize(input.sentence);
+  const auto words =
+      *tokenize(input.sentence, use_ == ModelUse::kRobot ? Endings::kKept : Endings::kDropped);
   // Things that the lexicon does not list are known by their names from here on.
   for (const std::string& object : input.states.front().objects)
     if (const Symbol symbol = parts_.symbols.intern(object); symbol != kNone)

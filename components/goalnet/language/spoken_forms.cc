@@ -1,0 +1,92 @@
+#include "components/goalnet/language/spoken_forms.h"
+
+#include <algorithm>
+#include <array>
+
+#include "components/goalnet/language/language.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+bool ends_part(const std::vector<std::string>& words, std::size_t i) {
+  return i >= words.size() || words[i] == "." || words[i] == ",";
+}
+
+}  // namespace
+
+void resolve_endings(std::vector<std::string>& words, const Language& language) {
+  // Behind these "'s" is a verb; before a name it says whose.
+  static constexpr std::array kBehindIs = {
+      "a"sv,     "an"sv,    "the"sv,     "too"sv,    "so"sv,    "very"sv,   "really"sv, "just"sv,  "still"sv,
+      "all"sv,   "been"sv,  "gone"sv,    "got"sv,    "going"sv, "not"sv,    "already"sv, "always"sv, "never"sv,
+      "now"sv,   "on"sv,    "in"sv,      "at"sv,     "off"sv,   "over"sv,   "out"sv,    "up"sv,    "under"sv,
+      "by"sv,    "near"sv,  "here"sv,    "there"sv,  "about"sv, "quite"sv,  "way"sv,    "only"sv,  "no"sv,
+      "beside"sv, "behind"sv, "lying"sv, "sitting"sv, "standing"sv, "done"sv, "had"sv,  "become"sv, "getting"sv};
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] != "'s") {
+      kept.push_back(words[i]);
+      continue;
+    }
+    if (ends_part(words, i + 1)) continue;
+    const std::string& next = words[i + 1];
+    const bool noun_next = language.names_something(next);
+    const bool noun_behind = i + 2 < words.size() && language.names_something(words[i + 2]);
+    const bool state = language.wanted_by_state(next) != Frame::kNone || language.complaint(next) != Frame::kNone ||
+                       language.wish(next) != nullptr;
+    const bool verb_form = (next.size() > 4 && (next.ends_with("ing") || next.ends_with("ed"))) ||
+                           (language.participle(next) && !noun_next);
+    // "this coffee's ancient, ...": of a word behind which the part ends
+    const bool describes = !noun_next && ends_part(words, i + 2);
+    if (one_of(next, kBehindIs) || (state && !noun_behind) || (verb_form && !noun_behind) || describes)
+      kept.emplace_back("is");
+  }
+  words = std::move(kept);
+}
+
+void drop_thrown_in(std::vector<std::string>& words, const Language& language) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (language.adverb(word) && words.size() > 1) continue;
+    // "could you please bring": found as "could you bring"
+    if ((word == "please" || word == "kindly" || word == "pls" || word == "plz") && i > 0 && !ends_part(words, i - 1) &&
+        !ends_part(words, i + 1) && words[i - 1] != "and") {
+      std::size_t end = i + 1;
+      while (!ends_part(words, end)) ++end;
+      bool verb = false;
+      for (std::size_t k = i + 1; k < end; ++k) verb = verb || language.verb(words[k]) != Frame::kNone;
+      if (verb) continue;
+    }
+    kept.push_back(word);
+  }
+  words = std::move(kept);
+}
+
+void afterthoughts_first(std::vector<std::string>& words) {
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    if (words[i] != "i" || (words[i + 1] != "mean" && words[i + 1] != "meant") || !ends_part(words, i + 2)) continue;
+    std::size_t begin = i;
+    while (begin > 0 && !ends_part(words, begin - 1)) --begin;
+    if (begin == i || begin == 0) continue;
+    words.erase(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(i) + 2);
+    words.insert(words.begin() + static_cast<long>(begin), "correction");
+  }
+}
+
+void join_pauses(std::vector<std::string>& words) {
+  std::vector<std::string> kept;
+  for (const std::string& word : words) {
+    const bool pause = word == "," || word == ".";
+    if (pause && !kept.empty() && kept.back() == ",") kept.pop_back();
+    if (word == "," && (kept.empty() || kept.back() == ".")) continue;
+    if (word == "." && !kept.empty() && kept.back() == ".") continue;
+    kept.push_back(word);
+  }
+  words = std::move(kept);
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,20 @@
+// What spoken sentences have and written ones lack: endings run together, words thrown in, afterthoughts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace goalnet::inference {
+
+class Language;
+
+// "the kettle 's empty" -> "the kettle is empty"; "mum 's mug" -> "mum mug". See Endings::kKept of the tokenizer.
+void resolve_endings(std::vector<std::string>& words, const Language& language);
+// Adverbs that change nothing ("terribly", "kindly") and "please" in the middle of what it belongs to.
+void drop_thrown_in(std::vector<std::string>& words, const Language& language);
+// "on the coffee table, snack table I mean" -> "on the coffee table, correction snack table".
+void afterthoughts_first(std::vector<std::string>& words);
+// ", ," and ", ." where something between fell away.
+void join_pauses(std::vector<std::string>& words);
+
+}  // namespace goalnet::inference

@@ -1,0 +1,67 @@
+// How a file of instructions fares, sentence by sentence: what was refused and why, what was done instead.
+//   goalnet_instructions_report FILE [--all]
+// FILE: lines of room, sentence, goal (or REFUSE; empty: only tell what is done), changes to the start state; by tabs.
+#include <cstdio>
+#include <cstring>
+
+#include "tests/unit/goalnet/instruction_runner.h"
+
+namespace goalnet::inference {
+namespace {
+
+// What the sentence changed, for people to read.
+std::string changes(const FactSet& before, const FactSet& after) {
+  std::string text;
+  for (const Predicate& fact : after)
+    if (fact.relation != "Near" && !before.contains(fact)) text += " " + to_string(fact);
+  for (const Predicate& fact : before)
+    if (fact.relation != "Near" && !after.contains(fact)) text += " !" + to_string(fact);
+  return text.empty() ? " nothing changed" : text;
+}
+
+struct Counts {
+  int sensible = 0, reached = 0, refused = 0, nonsense = 0, nonsense_refused = 0;
+};
+
+void report(InstructionRunner& runner, std::vector<std::string> row, bool all, Counts& counts) {
+  row.resize(std::max<std::size_t>(row.size(), 4));
+  const WorldState world = runner.room(row[0], row[3]);
+  const auto run = runner.follow(world, row[1]);
+  const bool nonsense = row[2] == "REFUSE";
+  const bool good = nonsense ? run.refused : !run.refused && reached(row[2], run.facts);
+  if (nonsense)
+    ++counts.nonsense, counts.nonsense_refused += run.refused;
+  else
+    ++counts.sensible, counts.reached += good, counts.refused += run.refused;
+  if (good && !all && !row[2].empty()) return;
+  std::printf("%s  %s | %s\n", good ? "ok     " : run.refused ? "REFUSED" : "WRONG  ", row[0].c_str(),
+              row[1].c_str());
+  if (!row[2].empty()) std::printf("         wanted: %s\n", row[2].c_str());
+  std::printf("         %s%s%s\n", run.refused ? "" : "did:", run.refused ? "" : changes(world.facts, run.facts).c_str(),
+              run.message.empty() ? "" : (" (" + run.message + ")").c_str());
+}
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: goalnet_instructions_report FILE [--all]\n");
+    return 2;
+  }
+  try {
+    InstructionRunner runner;
+    Counts counts;
+    for (const auto& row : read_rows(argv[1]))
+      if (row.size() > 1) report(runner, row, argc > 2 && std::strcmp(argv[2], "--all") == 0, counts);
+    std::printf("sensible: %d of %d reached, %d refused, %d wrong; nonsense: %d of %d refused\n", counts.reached,
+                counts.sensible, counts.refused, counts.sensible - counts.reached - counts.refused,
+                counts.nonsense_refused, counts.nonsense);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace goalnet::inference
+
+int main(int argc, char** argv) { return goalnet::inference::main(argc, argv); }
