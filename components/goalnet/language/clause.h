@@ -42,6 +42,7 @@ struct Clause {
 struct ParsedSentence {
   std::vector<Clause> clauses;     // in the order in which they are to be done
   std::vector<std::string> stray;  // words outside any clause that nobody could read
+  std::vector<std::string> passed;  // words of parts that were passed over, as they ask for nothing here
   std::string problem;             // why the sentence cannot be a request at all ("if ..."); empty: none
 };
 

@@ -31,6 +31,10 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
   Role role = Role::kDirect;
   Where where = Where::kTo;
   std::size_t i = at + 1;
+  // "I need put the egg on a plate"
+  if (clause.wish && language_.hears_people() && opens_command(i, end) && reader_.name_length(i) == 0 &&
+      !language_.participle(words_[i]))
+    return command(i, end, mood);
   // "start boiling water", "go get the mug", "try to open it": the second verb is the one that counts
   if (clause.frame == Frame::kGo || clause.frame == Frame::kStart || clause.frame == Frame::kTry ||
       clause.frame == Frame::kStop) {
@@ -63,6 +67,7 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
       if (next >= end || starts_clause(next, end)) break;
+      if (language_.hears_people() && word == "," && clause.verb == "leave" && words_[next - 1] == "but") break;
       if (word == "," && tells_time(next, part_end(next, end))) break;  // "bring the mug, bus in an hour"
       NounPhrase phrase;
       const std::size_t done = reader_.read(next, end, phrase);
@@ -152,6 +157,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
     }
+    if (word == "at_later") {  // "turn the tv off at eight"
+      for_later();
+      ++i;
+      continue;
+    }
     if (one_of(word, kSubordinate) || one_of(word, kTurns) || word == "not" || word == "never" ||
         word == "wish")
       break;
@@ -204,8 +214,9 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     return i;
   }
   // "it goes on the shelf, put it back": there, wherever it stood
-  if (result_.clauses.size() > 0 && result_.clauses.back().belongs && clause.has_particle("back") &&
-      clause.frame == Frame::kPlace && clause.phrases.size() == 1 && clause.phrases.front().pronoun &&
+  if (result_.clauses.size() > 0 && result_.clauses.back().belongs &&
+      (clause.has_particle("back") || (language_.hears_people() && !clause.to_person)) &&
+      (clause.frame == Frame::kPlace || (language_.hears_people() && clause.frame == Frame::kBring)) && clause.phrases.size() == 1 && clause.phrases.front().pronoun &&
       clause.mood == Mood::kCommand)
     return i;
   if (clause.frame == Frame::kChange)  // "I wonder what is on channel two, switch over"

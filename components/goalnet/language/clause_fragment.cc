@@ -138,6 +138,13 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     }
     place = {};
   }
+  if (const std::size_t done = reader_.read_place(i, end, place);
+      language_.hears_people() && done != i && (place.person || place.hand) && ends_here(done, end)) {
+    clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;
+    add(std::move(clause));
+    return done;
+  }
+  place = {};
   if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
     clause.frame = Frame::kPlace, clause.verb = "put";
     std::size_t last = done;
@@ -182,8 +189,29 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     while (i < end && words_[i] != ",") ++i;
     return i;
   }
+  if (says_nothing_here(at, end)) {
+    result_.passed.push_back(words_[at]);
+    add_told(at, part_end(at, end));
+    return part_end(at, end);
+  }
   result_.stray.push_back(words_[at]);
   return std::max(i, at + 1);
+}
+
+// Whether the part, which nobody could read, begins as no request does: with a thing that goes on with words that mean
+// nothing here ("the right one sticks"). A thing alone, or with a place, may be a request.
+bool ClauseParser::says_nothing_here(std::size_t at, std::size_t end) const {
+  if (!language_.hears_people() || language_.english_verb(words_[at]) || !language_.known(words_[at])) return false;
+  const std::size_t stop = part_end(at, end);
+  NounPhrase subject;
+  const std::size_t done = reader_.read(at, stop, subject);
+  if (done == at || subject.unknown) return false;
+  bool other_words = false;
+  for (std::size_t i = done; i < stop; ++i) {
+    if (reader_.name_length(i) > 0 || opens_command(i, stop)) return false;
+    other_words = other_words || (!harmless(i) && !place_preposition(words_[i]));
+  }
+  return other_words;
 }
 
 }  // namespace goalnet::inference

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "components/goalnet/language/ellipsis.h"
 #include "components/goalnet/language/word_groups.h"
 
 namespace goalnet::inference {
@@ -50,6 +51,11 @@ bool ClauseParser::starts_clause(std::size_t at, std::size_t end) const {
 std::size_t ClauseParser::skip_part(std::size_t at, std::size_t end) const {
   while (at < end && words_[at] != ",") ++at;
   return at;
+}
+
+void ClauseParser::for_later() {
+  if (result_.problem.empty())
+    result_.problem = "wishes for later are not kept; say it when it is to be done";
 }
 
 void ClauseParser::add(Clause clause) {
@@ -123,6 +129,13 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       add(std::move(clause));
       return next;
     }
+  }
+  if (word == "at_later") {  // "in an hour, turn the tv off": nobody here keeps time
+    const std::size_t next = skip_joins(at + 1, end);
+    const bool behind = at > 0 && words_[at - 1] != "." && words_[at - 1] != "," && !result_.clauses.empty() &&
+                        result_.clauses.back().mood == Mood::kCommand;
+    if (behind || opens_command(next, end)) for_later();
+    return at + 1;
   }
   if (word == "do_that") return done_that(at, end);
   if (word == "hint") return hint(at, end);
@@ -214,7 +227,9 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
 }
 
 ParsedSentence parse_clauses(const Words& words, const Language& language, const Lexicon& lexicon) {
-  return ClauseParser(words, language, lexicon).parse();
+  if (!language.hears_people()) return ClauseParser(words, language, lexicon).parse();
+  const Words whole = fill_ellipses(words, language, lexicon);
+  return ClauseParser(whole, language, lexicon).parse();
 }
 
 }  // namespace goalnet::inference

@@ -25,6 +25,7 @@ class ClauseParser {
   std::size_t statement(std::size_t at, std::size_t end);
   std::size_t predicate(std::size_t at, std::size_t end, Clause& clause, bool desired, bool negative);
   bool again(const Clause& fragment);
+  bool says_nothing_here(std::size_t at, std::size_t end) const;
   std::size_t fragment(std::size_t at, std::size_t end);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
@@ -54,6 +55,7 @@ class ClauseParser {
   bool starts_clause(std::size_t at, std::size_t end) const;
   std::size_t skip_joins(std::size_t at, std::size_t end) const;
   bool harmless(std::size_t at) const;
+  void for_later();
   void add(Clause clause);
   void name_pronouns(Clause& clause, const Clause& by) const;
 

@@ -17,6 +17,13 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
   while (i < end && !language_.joins(words_[i]) && words_[i] != "so") {
     const std::string& word = words_[i];
     NounPhrase place;
+    if (language_.hears_people() && word == "not" && clause.mood == Mood::kCommand) {  // "..., not on the stove"
+      const std::size_t done = reader_.read_place(i + 1, end, place);
+      if (done != i + 1) {
+        i = done;
+        continue;
+      }
+    }
     if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
       if (desired && negative) {  // should not be there: take it away
         clause.mood = Mood::kCommand, clause.frame = Frame::kTake, clause.verb = "take";

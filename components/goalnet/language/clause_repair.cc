@@ -59,6 +59,9 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   while (next < end && (words_[next] == "correction" || language_.joins(words_[next]) ||
                         (harmless(next) && !reader_.starts(next, end) && !place_preposition(words_[next]))))
     ++next;
+  if (const std::size_t stop = part_end(next, end);  // "no, scratch that, I am driving, the coke"
+      language_.hears_people() && next < end && stop < end && tells(next, stop))
+    next = skip_joins(stop, end);
   Clause* last = result_.clauses.empty() ? nullptr : &result_.clauses.back();
   if (next >= end || last == nullptr || last->mood != Mood::kCommand) return std::max(next, at + 1);
   if (opens_command(next, end) || words_[next] == "wish") {  // said anew
@@ -68,8 +71,9 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   NounPhrase phrase;
   std::size_t done = reader_.read_place(next, end, phrase);
   Role role = Role::kDestination;
+  const bool number = number_word(words_[next]) > 0 && last->first(Role::kDestination) != nullptr;
   if (done == next) {
-    done = reader_.read(next, end, phrase);
+    done = reader_.read(next, end, phrase, number && language_.hears_people());
     const bool place = lexicon_->is_place_name(phrase.phrase) && last->first(Role::kDestination) != nullptr;
     role = place ? Role::kDestination : Role::kDirect;
     if (place) phrase.where = last->first(Role::kDestination)->where;
@@ -112,6 +116,8 @@ std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
   if (!opens_command(i, end) || language_.wanted_by_state(words_[i]) != Frame::kNone ||
       language_.participle(words_[i]))
     return at;
+  if (language_.hears_people() && language_.verb(words_[i]) == Frame::kPlace && phrases.size() == 1 && ends_here(i + 1, end))
+    return at;  // "the right one sticks"
   for (std::size_t k = i + 1; k < end && words_[k] != ","; ++k) {
     NounPhrase more;
     if (reader_.read(k, end, more) != k && !more.person) return at;
@@ -130,7 +136,9 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
       std::none_of(result_.clauses.begin(), result_.clauses.end(),
                    [](const Clause& clause) { return clause.mood == Mood::kCommand; }) &&
       std::any_of(words_.begin() + static_cast<long>(end), words_.end(),
-                  [](const std::string& word) { return is_pronoun(word); })) {
+                  [&](const std::string& word) {
+                    return is_pronoun(word) || (language_.hears_people() && (word == "that" || word == "those"));
+                  })) {
     add_told(at, end);
     return end;
   }

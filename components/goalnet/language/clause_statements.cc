@@ -11,7 +11,7 @@ using namespace word_group;
 
 namespace {
 
-constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,     "she"sv,
+constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,     "she"sv,     "whoever"sv,
                                   "im"sv, "somebody"sv, "someone"sv, "nobody"sv, "everyone"sv};
 
 }  // namespace
@@ -122,6 +122,12 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   }
   NounPhrase subject;
   const std::size_t named = reader_.read(i, end, subject);
+  if (const std::size_t stop = part_end(at, end);
+      language_.hears_people() && !ensured_ && named == i && tells(at, stop) && !language_.asks(words_[at])) {
+    result_.passed.push_back(words_[at]);  // "three is broken"
+    add_told(at, stop);
+    return stop;
+  }
   if (named == i || subject.person) {
     if (i < end && !harmless(i)) result_.stray.push_back(words_[i]);
     // "hey rosie, ...": what somebody is called
@@ -151,7 +157,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     next = done;
     if (language_.copula(words_[done]) || one_of(words_[done], kDesire)) i = done;
   }
-  if (i == named || !(language_.copula(words_[i]) || one_of(words_[i], kDesire))) subjects.resize(1);
+  const bool all_there = there && language_.hears_people() && subjects.size() > 1 && i == named;  // "there is the beer and the coke"
+  if (!all_there && (i == named || !(language_.copula(words_[i]) || one_of(words_[i], kDesire)))) subjects.resize(1);
   // "there is a book on the table that belongs on the shelf"
   if (there && i + 1 < end && (words_[i] == "that" || words_[i] == "which") && one_of(words_[i + 1], kDesire))
     ++i;
@@ -164,7 +171,13 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       desired = verb_seen = true;
     } else if (word == "not" || word == "never") {
       negative = true;
-    } else if (language_.copula(word) || word == "can" || word == "may") {
+    } else if (language_.copula(word) || word == "can" || word == "may" || (word == "might" && language_.hears_people())) {
+      // "the bag can be thrown away", "the mug can go in the sink"
+      static constexpr std::array kAllows = {"can"sv, "could"sv, "may"sv, "might"sv};
+      static constexpr std::array kHappens = {"be"sv, "go"sv, "come"sv, "get"sv, "sit"sv, "stand"sv, "live"sv};
+      const bool question = at > 0 && one_of(words_[at - 1], kAllows);
+      if (language_.hears_people() && one_of(word, kAllows) && k + 1 < end && one_of(words_[k + 1], kHappens) && !question)
+        desired = true;
       verb_seen = true;
     } else if (!(word == "to" && desired && !reader_.starts(k + 1, end)) &&
                !(harmless(k) && verb_seen && !reader_.starts(k, end) &&
@@ -200,6 +213,10 @@ std::size_t ClauseParser::question(std::size_t at, std::size_t end) {
     if (!place) done = reader_.read(i, end, phrase);
     const bool first_thing = clause.first(Role::kDirect) == nullptr;
     if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty() && (place || first_thing)) {
+      // "is that my book on the table?": which book
+      if (place && language_.hears_people() && !clause.phrases.empty() && language_.copula(words_[at]) &&
+          clause.phrases.back().role == Role::kDirect)
+        clause.phrases.back().at.push_back(phrase);
       phrase.role = place ? Role::kDestination : Role::kDirect;
       clause.phrases.push_back(phrase);
     }

@@ -26,6 +26,11 @@ std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
     const std::size_t next = skip_joins(i + 1, end);
     if (next + 1 < end && words_[next] == "there" && language_.copula(words_[next + 1])) return i;
     if (next < end && (opens_command(next, end) || words_[next] == "wish" || words_[next] == "not")) return i;
+    if (NounPhrase subject; language_.hears_people() && next < end) {  // "..., so the bag can be thrown away"
+      static constexpr std::array kModals = {"can"sv, "could"sv, "may"sv, "should"sv, "must"sv, "need"sv, "has"sv, "belong"sv};
+      const std::size_t done = reader_.read(next, end, subject);
+      if (done != next && !subject.person && !subject.unknown && done < end && one_of(words_[done], kModals)) return i;
+    }
   }
   return end;
 }
@@ -117,6 +122,11 @@ std::size_t ClauseParser::aside(std::size_t at, std::size_t end) {
 // "exam in 20 minutes", "guests at eight": what happens, and when. Where a verb or a thing of this place is
 // spoken of somebody may want that done then, which nobody here can.
 bool ClauseParser::tells_time(std::size_t at, std::size_t stop) const {
+  if (stop >= at + 2 && stop <= at + kLongestSubject && words_[stop - 1] == "at_later") {
+    for (std::size_t i = at; i < stop; ++i)
+      if (reader_.name_length(i) > 0 || is_pronoun(words_[i]) || opens_command(i, stop)) return false;
+    return true;
+  }
   if (stop < at + 3 || stop > at + kLongestSubject) return false;
   for (std::size_t i = at; i < stop; ++i)
     if (reader_.name_length(i) > 0 || is_pronoun(words_[i])) return false;

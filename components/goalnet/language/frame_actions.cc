@@ -27,9 +27,20 @@ std::string FrameActions::act(const SymAction& macro) {
     if (action == macro) step = purpose(action, now_, handled);
     apply_at_home(action, now_);
   }
+  keep_held(step);
   macros_.push_back(macro);
   steps_.push_back(std::move(step));
   return {};
+}
+
+// What somebody wants held must still be so when the next thing is done: a planner may put it down to free a hand.
+void FrameActions::keep_held(SymDelta& step) const {
+  constexpr std::size_t kMostHeld = 6;  // two hands and the tray
+  if (!at_home_ || step.empty() || taken_.size() > kMostHeld) return;
+  for (const Symbol object : taken_)
+    if (now_.holds(object)) step.added.push_back(sym_fact(Relation::kGrasping, kRobot, object));
+  std::sort(step.added.begin(), step.added.end());
+  step.added.erase(std::unique(step.added.begin(), step.added.end()), step.added.end());
 }
 
 std::string FrameActions::keep(Symbol x, Symbol y, Where where) {
@@ -52,6 +63,8 @@ std::string FrameActions::keep(Symbol x, Symbol y, Where where) {
     if (x == kSpoon_1 || x == kFork_1)
       return now_.has(Relation::kIn, x, y) ? Problem{} : act({Verb::kPlace, x, y});
   }
+  if (at_home_ && resolver_.is_vessel(y) && where != Where::kNear)
+    return "it is not known how " + resolver_.name(x) + " could be put into or onto " + resolver_.name(y);
   const Verb verb =
       box || (where == Where::kIn && container && c->name != "plate") ? Verb::kKeepIn : Verb::kKeepOn;
   if (now_.has(verb == Verb::kKeepIn ? Relation::kIn : Relation::kOn, x, y)) return {};

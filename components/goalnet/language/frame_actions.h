@@ -59,6 +59,7 @@ class FrameActions {
   Problem not_here(Problem problem) const;  // takes note: a thing is missing
   void remember(const Objects& objects);
   Problem act(const SymAction& macro);
+  void keep_held(SymDelta& step) const;
   void close_tap();
   Problem keep(Symbol x, Symbol y, Where where);
   Problem dispatch(const Clause& clause);

@@ -66,7 +66,8 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
     if (!vessels.empty()) so = now_.is(vessels.front(), content);
   }
   const std::string& state = statement.state;
-  if (state == "on" || state == "running" || state == "lit" || state == "burning") {
+  const bool runs = language_.complaint(state) == Frame::kStop;
+  if (state == "on" || state == "running" || state == "lit" || state == "burning" || (runs && at_home_)) {
     so = is_on(object);
   } else if (state == "off") {
     so = !is_on(object);

@@ -101,6 +101,11 @@ FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Prob
     objects = pronoun(it(), sort, {});
   if (objects.empty() && problem.empty()) problem = "it is not clear what to " + clause.verb;
   if (problem.empty()) remember(objects);
+  for (const NounPhrase& phrase : clause.phrases)  // "take the books that are not on the shelf and put them there"
+    for (const NounPhrase& place : phrase.at)
+      if (place.negated && !place.bare())
+        if (const Objects there = resolver_.options(place, Sort::kPlace, now_); !there.empty())
+          last_destination_ = {there.front()};
   for (const NounPhrase& phrase : clause.phrases)
     if (phrase.role == Role::kDirect && phrase.everything) mass_ = objects;
   return objects;
@@ -198,7 +203,12 @@ void FrameActions::notice(const Clause& clause) {
       objects.erase(objects.begin() + 1, objects.end());
     if (!objects.empty()) history_.push_back(objects), ++told;
     together.insert(together.end(), objects.begin(), objects.end());
-    const bool content = language_.content(phrase.phrase) != kNone && !phrase.at.empty();
+    if (at_home_)
+      for (const NounPhrase& place : phrase.at)
+        if (!place.pronoun && !place.bare() && !place.unknown && !place.negated)
+          if (const Objects there = resolver_.options(place, Sort::kPlace, now_); there.size() == 1)
+            history_.insert(history_.begin(), there);
+    const bool content = language_.content(phrase.phrase) != kNone && (!phrase.at.empty() || at_home_);
     content_told_ = content ? phrase.phrase : std::string();
     if (phrase.everything) mass_ = objects;
     // "there is stuff on that burner, clear everything from there"

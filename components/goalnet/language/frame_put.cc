@@ -177,6 +177,18 @@ std::string FrameActions::put(const Clause& said) {
   moves_ = false;
   if (!problem.empty()) return problem;
   if (const NounPhrase* with = clause.first(Role::kWith);
+      at_home_ && with != nullptr && !with->at.empty() && with->at.front().pronoun && !objects.empty()) {
+    // "put the plate on the table, with the beer beside it"
+    const bool on_it = with->at.front().where == Where::kOn || with->at.front().where == Where::kIn;
+    const Objects more = resolver_.chosen(*with, resolver_.options([&] { NounPhrase plain = *with; plain.at.clear(); return plain; }(), Sort::kMovable, now_));
+    const Symbol target = on_it ? objects.front() : resolver_.place_of(objects.front(), now_);
+    if (more.empty()) return unknown_thing(*with, Sort::kMovable);
+    if (target == kNone) return "it is not clear where to put " + with->word;
+    for (const Symbol object : more)
+      if (problem = keep(object, target, on_it ? with->at.front().where : destination->where); !problem.empty()) return problem;
+    return {};
+  }
+  if (const NounPhrase* with = clause.first(Role::kWith);
       with != nullptr && !last_destination_.empty() && into_dish) {
     bool done = false;
     return add_content(*with, last_destination_.front(), done);

@@ -39,6 +39,17 @@ std::string FrameActions::put_without_place(const Clause& clause) {
     inside.phrases.back().role = Role::kDestination, inside.phrases.back().where = Where::kIn;
     return put(inside);
   }
+  if (clause.verb == "keep" && at_home_ && !clause.to_person && thing != nullptr && clause.particles.empty()) {
+    notice(clause);  // "keep the beer"
+    return {};
+  }
+  if (clause.verb == "shelve" && thing != nullptr) {
+    Clause shelved = clause;
+    shelved.phrases.emplace_back();
+    NounPhrase& shelf = shelved.phrases.back();
+    shelf.role = Role::kDestination, shelf.where = Where::kOn, shelf.phrase = shelf.word = "shelf";
+    return put(shelved);
+  }
   if (clause.verb == "tidy" && thing != nullptr && lexicon_place(*thing)) return clear(clause);
   // "leave the books": nothing is to be done with them
   if (clause.verb == "leave" && !clause.to_person && thing != nullptr && !clause.has_particle("at_home")) {
@@ -110,6 +121,8 @@ std::string FrameActions::insert(const Clause& clause) {
         if (problem = keep(object, resolver_.xbox(), Where::kIn); !problem.empty()) return problem;
       return {};
     }
+    // "feed the xbox a disc"
+    if (objects.size() == 2 && objects.front() == resolver_.xbox() && at_home_) return keep(objects[1], objects[0], Where::kIn);
     return "it is not clear where to " + clause.verb + " it";
   }
   NounPhrase inside = *destination;

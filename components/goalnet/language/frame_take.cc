@@ -48,7 +48,11 @@ std::string FrameActions::take(const Clause& clause) {
   }
   // "I want the book on the shelf", "gather the pillows on the couch": put it there, unless that says which
   const bool there_or_which = clause.wish || clause.verb == "gather" || clause.verb == "collect";
-  if (const NounPhrase* thing = clause.first(Role::kDirect);
+  const NounPhrase* located_thing = clause.first(Role::kDirect);
+  if (at_home_ && clause.wish && located_thing != nullptr && located_thing->at.empty())
+    for (const NounPhrase& phrase : clause.phrases)  // "I want the fork and the spoon in the sink"
+      if (phrase.role == Role::kDirect && !phrase.at.empty()) located_thing = &phrase;
+  if (const NounPhrase* thing = located_thing;
       there_or_which && thing != nullptr && !thing->at.empty() && !thing->everything) {
     const int loose = resolver_.doubts().loose;
     const auto there = resolver_.options(*thing, Sort::kMovable, now_);
@@ -67,6 +71,41 @@ std::string FrameActions::take(const Clause& clause) {
         }
       wanted.frame = Frame::kPlace, wanted.to_person = false;
       return put(wanted);
+    }
+  }
+  // "gather them on the study table"
+  if (there_or_which && !clause.wish && at_home_ && clause.first(Role::kDestination) != nullptr) {
+    Clause gathered = clause;
+    gathered.frame = Frame::kPlace, gathered.to_person = false;
+    return put(gathered);
+  }
+  // "the armchair has no pillow, give it the one from the shelf"
+  if (at_home_ && clause.verb == "give" && !clause.to_person && clause.phrases.size() >= 2 &&
+      clause.phrases[0].role == Role::kDirect && clause.phrases[1].role == Role::kDirect) {
+    const NounPhrase& receiver = clause.phrases[0];
+    const Objects places = receiver.pronoun ? pronoun(receiver, Sort::kPlace, {})
+                           : receiver.bare() ? Objects{}
+                                             : resolver_.options(receiver, Sort::kPlace, now_);
+    if (!places.empty() && resolver_.class_of(places.front())->place) {
+      Clause placed = clause;
+      placed.phrases.erase(placed.phrases.begin());
+      placed.phrases.push_back(receiver);
+      placed.phrases.back().role = Role::kDestination, placed.phrases.back().where = Where::kOn;
+      placed.frame = Frame::kPlace, placed.verb = "put";
+      return put(placed);
+    }
+  }
+  // "hold the glass under the water dispenser"
+  if (const NounPhrase* thing = clause.first(Role::kDirect); at_home_ && thing != nullptr && !thing->at.empty() &&
+                                                             thing->at.front().where == Where::kUnder &&
+                                                             resolver_.exists(kFridgeButton)) {
+    const NounPhrase& under = thing->at.front();
+    const Objects tap = under.pronoun || under.bare() ? Objects{} : resolver_.options(under, Sort::kDevice, now_);
+    if (!tap.empty() && (tap.front() == kFridgeButton || tap.front() == kSinkKnob)) {
+      Clause filled = clause;
+      filled.frame = Frame::kFill, filled.verb = "fill", filled.to_person = false;
+      for (NounPhrase& phrase : filled.phrases) phrase.at.clear();
+      return fill(filled);
     }
   }
   // "give both plates a squirt of chocolate"

@@ -26,7 +26,8 @@ std::string FrameActions::discard(const Clause& clause) {
     added.frame = Frame::kAdd, added.verb = "add";
     return add_to(added);
   }
-  const bool flung = clause.verb == "throw" || clause.verb == "toss" || clause.verb == "chuck";
+  const bool flung =  // "toss it" is for the bin
+      clause.verb == "throw" || (!at_home_ && (clause.verb == "toss" || clause.verb == "chuck"));
   if (flung && !clause.has_particle("away") && !clause.has_particle("out"))
     return "it is not clear where to " + clause.verb + " that; say \"throw ... away\" for the bin";
   if (const NounPhrase* it_said = clause.first(Role::kDirect);

@@ -165,6 +165,16 @@ std::string FrameActions::pour(const Clause& clause) {
     if (!destination->all && destination->count < 2 && targets.size() > 1)
       targets.erase(targets.begin() + 1, targets.end());
   }
+  // "it was meant to be in the glass, pour it over"
+  if (at_home_ && destination == nullptr && clause.has_particle("over") && !last_destination_.empty() &&
+      resolver_.is_vessel(last_destination_.front())) {
+    targets = {last_destination_.front()};
+    if (thing == nullptr || thing->pronoun) {
+      bool full = false;
+      for (Symbol c = kWater; c <= kEgg; ++c) full = full || (now_.is(targets.front(), c) && !start_.is(targets.front(), c));
+      if (full) return {};  // it is done already
+    }
+  }
   Symbol source = kNone;
   if (source_phrase != nullptr && !source_phrase->pronoun) {
     const auto options = resolver_.options(*source_phrase, Sort::kVessel, now_);
@@ -192,6 +202,7 @@ std::string FrameActions::pour(const Clause& clause) {
     remember(targets);
     return {};
   }
+  if (source == kNone && content == kWater && at_home_) return make(clause);  // "pour me some water"
   if (source == kNone) return "nothing here holds that to pour it";
   bool holds_something = false;
   for (Symbol c = kWater; c <= kEgg; ++c) holds_something = holds_something || now_.is(source, c);

@@ -38,6 +38,8 @@ struct NounPhrase {
   bool alternative = false;  // after "or": only if the one before cannot be had
   bool vague = false;        // an adjective that nothing here can tell ("shiny")
   bool joined = false;       // follows "and" after a place: "in the sink and the glass"
+  bool filled_with_things = false;  // "a bowl of chips"
+  bool negated = false;      // of a place: not there
   bool unknown = false;      // `word` names nothing that is known
 
   bool has(std::string_view adjective) const;

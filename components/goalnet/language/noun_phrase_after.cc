@@ -24,6 +24,7 @@ std::size_t NounPhraseReader::of(std::size_t i, std::size_t end, NounPhrase& phr
     for (const std::string& adjective : inner.adjectives) phrase.adjectives.push_back(adjective);
   } else if (language_.holds_things(phrase.phrase)) {
     phrase.unknown = inner.phrase.empty(), phrase.modifier = inner.phrase;
+    phrase.filled_with_things = !inner.phrase.empty();
   } else if (language_.side_or_part(phrase.phrase)) {
     if (phrase.phrase == "knob") inner.adjectives.push_back("knob");
     inner.adjectives.insert(inner.adjectives.end(), phrase.adjectives.begin(), phrase.adjectives.end());
@@ -64,6 +65,15 @@ std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhras
     return k;
   }
   NounPhrase place;
+  if (language_.hears_people() && k > i && k < end && words_.text[k] == "not") {  // "that are not on the shelf"
+    const std::size_t done = read_place(k + 1, end, place);
+    if (done != k + 1 && !place.hand && !place.person) {
+      place.negated = true;
+      phrase.at.push_back(place);
+      return done;
+    }
+    place = {};
+  }
   if (const std::size_t done = read_place(k, end, place); done != k) {
     if (place.hand || place.person)
       phrase.adjectives.push_back("held");

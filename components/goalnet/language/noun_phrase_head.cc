@@ -113,7 +113,8 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     }
   }
   if ((phrase.ordinal > 0 || !phrase.adjectives.empty()) && !one().empty() &&
-      (place_preposition(word) || language_.joins(word))) {  // "the second on the shelf", "and the other in"
+      (place_preposition(word) || language_.joins(word) ||
+       (language_.hears_people() && (language_.copula(word) || one_of(word, kDesire))))) {  // "the second on the shelf", "and the other in"
     phrase.phrase = phrase.word = one();
     return i;
   }

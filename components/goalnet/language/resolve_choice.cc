@@ -57,12 +57,20 @@ int Resolver::faults(const NounPhrase& phrase, const SeenObject& seen, const Sym
     NounPhrase place;
     place.phrase = phrase.modifier;
     const Symbol content = language_.content(phrase.modifier);
+    NounPhrase inside;
+    inside.phrase = phrase.modifier;
+    const bool holds_them = [&] {
+      for (const Symbol thing : things_at(object, now))
+        if (contains(named(inside), thing)) return true;
+      return false;
+    }();
+    if (language_.hears_people() && phrase.filled_with_things && !holds_them) count += kGraveFault;
     if (!is_at(object, place, now) && !(content != kNone && now.is(object, content)) &&
         lexicon_.names(phrase.modifier, object, seen.class_id) == NameLevel::kNone)
       count += kFault;
   }
   for (const NounPhrase& place : phrase.at)
-    if (!is_at(object, place, now)) count += kFault;
+    if (is_at(object, place, now) == place.negated) count += kFault;
   return count;
 }
 

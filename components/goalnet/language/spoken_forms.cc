@@ -4,7 +4,9 @@
 #include <array>
 
 #include "components/goalnet/language/language.h"
+#include "components/goalnet/language/noun_phrase.h"
 #include "components/goalnet/language/word_groups.h"
+#include "components/goalnet/lexicon.h"
 
 namespace goalnet::inference {
 namespace {
@@ -45,6 +47,30 @@ void resolve_endings(std::vector<std::string>& words, const Language& language) 
       kept.emplace_back("is");
   }
   words = std::move(kept);
+}
+
+void resolve_headings(std::vector<std::string>& words, const Language& language) {
+  constexpr std::size_t kLongestHeading = 5;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] != ":") continue;
+    std::size_t begin = i;
+    while (begin > 0 && !ends_part(words, begin - 1)) --begin;
+    bool says_something = false;
+    for (std::size_t k = begin; k < i; ++k)
+      says_something = says_something || language.meaningful(words[k]) || language.meaningful(singular(words[k])) ||
+                       number_word(words[k]) > 0 || language.asks(words[k]) ||
+                       language.wanted_by_state(words[k]) != Frame::kNone;
+    const bool at_start = begin == 0 || words[begin - 1] == ".";
+    if (at_start && i > begin && i - begin <= kLongestHeading && !says_something) {
+      words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
+      i = begin;
+    } else if (at_start && i == begin + 1 && language.verb(words[begin]) != Frame::kNone &&
+               !language.participle(words[begin])) {
+      words.erase(words.begin() + static_cast<long>(i));
+    } else {
+      words[i] = ",";
+    }
+  }
 }
 
 void drop_thrown_in(std::vector<std::string>& words, const Language& language) {

@@ -69,7 +69,7 @@ void repeat_numbered(std::vector<std::string>& text, const Language& language) {
 }
 
 // "it would make my day if you brought me a coke": only what comes behind matters.
-void ask_politely(std::vector<std::string>& text) {
+void ask_politely(std::vector<std::string>& text, bool hears_people) {
   constexpr std::size_t kFarthest = 9;
   static constexpr std::array kCould = {"could"sv, "would"sv, "can"sv, "might"sv, "will"sv};
   for (std::size_t i = 0; i + 3 < text.size(); ++i) {
@@ -78,8 +78,13 @@ void ask_politely(std::vector<std::string>& text) {
     if (!opens) continue;
     for (std::size_t k = i + 2; k + 1 < text.size() && k < i + kFarthest && text[k] != "," && text[k] != ".";
          ++k) {
-      if (text[k] != "if" || (text[k + 1] != "you" && text[k + 1] != "someone" && text[k + 1] != "somebody"))
-        continue;
+      if (text[k] != "if") continue;
+      if (text[k + 1] != "you" && text[k + 1] != "someone" && text[k + 1] != "somebody") {
+        if (!hears_people || text[k + 1] == "i" || text[k + 1] == "we") continue;
+        text[i] = "ensure";  // "I would feel better if the bowl was on the counter"
+        text.erase(text.begin() + static_cast<long>(i) + 1, text.begin() + static_cast<long>(k) + 1);
+        break;
+      }
       k += 2;
       while (k < text.size() && one_of(text[k], kCould)) ++k;
       text[i] = "please";
@@ -167,7 +172,7 @@ void say_plainly(std::vector<std::string>& text, const Language& language) {
   drop_distributive(text);
   speak_for_others(text, language);
   repeat_numbered(text, language);
-  ask_politely(text);
+  ask_politely(text, language.hears_people());
   be_so_good(text);
   name_tools(text);
 }

@@ -77,7 +77,10 @@ bool is_sound(const std::string& word) {
 Words normal_words(const std::vector<std::string>& tokens, const Language& language) {
   Words words;
   std::vector<std::string> mended = tokens;
-  if (language.hears_people()) resolve_endings(mended, language);
+  if (language.hears_people()) {
+    resolve_headings(mended, language);
+    resolve_endings(mended, language);
+  }
   drop_numbering(mended);
   move_blanks(mended, language, words.corrected);
   join_pieces(mended, language, words.corrected);

@@ -1,0 +1,180 @@
+#include "components/goalnet/language/ellipsis.h"
+
+#include <algorithm>
+
+#include "components/goalnet/language/noun_phrase.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+namespace {
+
+// What a part between two pauses is made of.
+enum class Part { kOther, kThings, kPlace, kCountAtPlace, kVerb };
+
+class Filler {
+ public:
+  Filler(Words words, const Language& language, const Lexicon& lexicon)
+      : words_(std::move(words)), language_(language), lexicon_(lexicon) {}
+
+  Words fill() {
+    // Each change makes the parts anew; a sentence has few.
+    for (int changes = 0; changes < kMostChanges && change(); ++changes) {
+    }
+    return std::move(words_);
+  }
+
+ private:
+  static constexpr int kMostChanges = 20;
+
+  struct Span {
+    std::size_t begin = 0, end = 0;  // without the pause behind it
+    Part part = Part::kOther;
+    bool with_preposition = false;
+    std::size_t content = 0;  // where the things or the place begin, behind "and", "then", "please"
+  };
+
+  bool harmless(std::size_t i) const {
+    const std::string& word = words_.text[i];
+    return (language_.filler(word) || language_.adverb(word)) && language_.verb(word) == Frame::kNone &&
+           !place_preposition(word) && !one_of(word, kParticles) && !language_.asks(word);
+  }
+
+  Span span(const NounPhraseReader& reader, std::size_t begin, std::size_t end) const {
+    Span span{.begin = begin, .end = end};
+    std::size_t i = begin;
+    while (i < end && (language_.joins(words_.text[i]) || (harmless(i) && !reader.starts(i, end)))) ++i;
+    if (i < end && words_.text[i] == "back" && i + 1 < end && place_preposition(words_.text[i + 1])) ++i;
+    span.content = i;
+    if (i >= end) return span;
+    const auto rest_is_small = [&](std::size_t from) {
+      for (std::size_t k = from; k < end; ++k)
+        if (!harmless(k) && words_.text[k] != "too") return false;
+      return true;
+    };
+    NounPhrase phrase;
+    if (number_word(words_.text[i]) > 0 && i + 1 < end && reader.name_length(i + 1) == 0) {
+      const std::size_t done = reader.read_place(i + 1, end, phrase);
+      if (done != i + 1 && rest_is_small(done)) {
+        span.part = Part::kCountAtPlace;
+        return span;
+      }
+    }
+    phrase = {};
+    if (const std::size_t done = reader.read_place(i, end, phrase); done != i) {
+      if (rest_is_small(done) && !phrase.person && !phrase.pronoun && !phrase.unknown && !phrase.hand)
+        span.part = Part::kPlace, span.with_preposition = true;
+      return span;
+    }
+    bool things = false, places = false;
+    for (std::size_t k = i; k < end;) {
+      phrase = {};
+      const std::size_t done = reader.read(k, end, phrase);
+      if (done == k || phrase.person || phrase.pronoun || phrase.unknown || phrase.phrase.empty()) {
+        things = places = false;
+        break;
+      }
+      const bool furniture = lexicon_.is_place_name(phrase.phrase);
+      things = things || !furniture, places = places || furniture;
+      k = done;
+      if (rest_is_small(k)) break;
+      if (words_.text[k] != "and") {
+        things = places = false;
+        break;
+      }
+      ++k;
+    }
+    if (things != places) span.part = things ? Part::kThings : Part::kPlace;
+    if (language_.verb(words_.text[i]) != Frame::kNone && reader.name_length(i) == 0 && rest_is_small(i + 1))
+      span.part = Part::kVerb;
+    return span;
+  }
+
+  void erase(std::size_t at) {
+    words_.text.erase(words_.text.begin() + static_cast<long>(at));
+    words_.plural.erase(words_.plural.begin() + static_cast<long>(at));
+  }
+  void insert(std::size_t at, const std::vector<std::string>& text) {
+    words_.text.insert(words_.text.begin() + static_cast<long>(at), text.begin(), text.end());
+    words_.plural.insert(words_.plural.begin() + static_cast<long>(at), text.size(), false);
+  }
+
+  bool change() {
+    const NounPhraseReader reader(words_, language_, lexicon_);
+    std::vector<Span> spans;
+    for (std::size_t begin = 0; begin < words_.text.size();) {
+      std::size_t end = begin;
+      while (end < words_.text.size() && words_.text[end] != "." && words_.text[end] != ",") ++end;
+      if (end > begin) spans.push_back(span(reader, begin, end));
+      begin = end + 1;
+    }
+    bool own = true;  // nothing before in this sentence could be the verb of what follows
+    for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
+      const Span &one = spans[i], &two = spans[i + 1];
+      const bool sentence_start = one.begin == 0 || words_.text[one.begin - 1] == ".";
+      own = sentence_start || (own && i > 0 && spans[i - 1].part != Part::kOther);
+      const bool last = i + 2 >= spans.size();
+      const bool pair_ends = last || words_.text[two.end] == "." || spans[i + 2].part == Part::kThings ||
+                             spans[i + 2].part == Part::kOther;
+      if (!own) continue;
+      if (one.part == Part::kThings && two.part == Part::kPlace && pair_ends) {
+        erase(one.end);  // the pause
+        if (!two.with_preposition) insert(two.content - 1, {"to"});
+        return true;
+      }
+      if (one.part == Part::kThings && two.part == Part::kCountAtPlace) {
+        const std::vector<std::string> thing(words_.text.begin() + static_cast<long>(one.content),
+                                             words_.text.begin() + static_cast<long>(one.end));
+        insert(two.content + 1, thing);
+        for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
+        return true;
+      }
+      // "the fork. give."
+      if (one.part == Part::kThings && two.part == Part::kVerb && words_.text[one.end] == ".") {
+        const std::string verb = words_.text[two.content];
+        erase(two.content);
+        erase(one.end);
+        insert(one.content, {verb});
+        return true;
+      }
+      // "The plate does not belong on the shelf. Counter, please.", "The ice cream is melting! Back in the freezer!"
+      if (sentence_start && one.part == Part::kOther && two.part == Part::kPlace && words_.text[one.end] == "." &&
+          language_.verb(words_.text[one.content < one.end ? one.content : one.begin]) == Frame::kNone &&
+          words_.text[one.begin] != "wish" && tells(one)) {
+        insert(two.content, two.with_preposition ? std::vector<std::string>{"put", "it"}
+                                                 : std::vector<std::string>{"put", "it", "to"});
+        return true;
+      }
+    }
+    // "the fork and the spoon both in the sink"
+    for (std::size_t i = 1; i + 1 < words_.text.size(); ++i)
+      if ((words_.text[i] == "both" || words_.text[i] == "all") && place_preposition(words_.text[i + 1]) &&
+          words_.text[i + 1] != "to" && language_.names_something(words_.text[i - 1]) &&
+          language_.verb(words_.text[i - 1]) == Frame::kNone) {
+        erase(i);
+        return true;
+      }
+    return false;
+  }
+
+  // A subject and a verb, as no command begins.
+  bool tells(const Span& span) const {
+    for (std::size_t k = span.begin + 1; k < span.end; ++k)
+      if (language_.copula(words_.text[k])) return true;
+    return false;
+  }
+
+  Words words_;
+  const Language& language_;
+  const Lexicon& lexicon_;
+};
+
+}  // namespace
+
+Words fill_ellipses(const Words& words, const Language& language, const Lexicon& lexicon) {
+  return Filler(words, language, lexicon).fill();
+}
+
+}  // namespace goalnet::inference
