@@ -152,6 +152,15 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
   if (word == "for") {  // for me; for two minutes; for the guests
     NounPhrase phrase;
     std::size_t done = reader_.read(i + 1, end, phrase);
+    // "two cushions for the sofa", "a scoop for the bowl"
+    const bool puts = clause.frame == Frame::kPlace || clause.frame == Frame::kScoop || clause.frame == Frame::kAdd ||
+                      clause.frame == Frame::kSqueeze || clause.frame == Frame::kPour;
+    if (language_.hears_people() && puts && done != i + 1 && !phrase.person && !phrase.unknown && !phrase.bare() &&
+        !phrase.pronoun && clause.first(Role::kDestination) == nullptr) {
+      phrase.role = Role::kDestination, phrase.where = Where::kTo;
+      clause.phrases.push_back(std::move(phrase));
+      return done;
+    }
     clause.to_person = clause.to_person || phrase.person;
     if (done == i + 1 && done < end && !opens_command(done, end)) ++done;
     if (done < end && language_.time_unit(words_[done])) ++done;

@@ -67,6 +67,9 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
       if (next >= end || starts_clause(next, end)) break;
+      if (language_.hears_people() && word == "," && one_of(words_[next], kSubjects) && !one_of(words_[next], kPointers) &&
+          tells(next, part_end(next, end)) && !is_pronoun(words_[next]))
+        break;  // "mute, I am on a call"
       if (language_.hears_people() && word == "," && clause.verb == "leave" && words_[next - 1] == "but") break;
       if (word == "," && tells_time(next, part_end(next, end))) break;  // "bring the mug, bus in an hour"
       NounPhrase phrase;
@@ -204,6 +207,14 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     }
     clause.frame = language_.wanted_by_state(clause.state);
     clause.verb = clause.state;
+  }
+  // "take a cup to the sink, then take the other one too"
+  if (language_.hears_people() && !clause.words.empty() && clause.words.back() == "too" && clause.mood == Mood::kCommand &&
+      clause.first(Role::kDestination) == nullptr && clause.first(Role::kDirect) != nullptr && !result_.clauses.empty() &&
+      (clause.frame == Frame::kTake || clause.frame == Frame::kBring || clause.frame == Frame::kPlace)) {
+    const Clause& before = result_.clauses.back();
+    const NounPhrase* there = before.mood == Mood::kCommand ? before.first(Role::kDestination) : nullptr;
+    if (there != nullptr) clause.phrases.push_back(*there), clause.frame = before.frame, clause.verb = before.verb;
   }
   // "the news is on channel 1, put it on"
   if (Clause* told = result_.clauses.empty() ? nullptr : &result_.clauses.back();

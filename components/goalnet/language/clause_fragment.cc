@@ -129,9 +129,10 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   if (i + 1 < end && words_[i] == "for") {  // "a pillow for every armchair"
     const std::size_t done = reader_.read(i + 1, end, place, true);
-    if (done != i + 1 && place.all && lexicon_->is_place_name(place.phrase)) {
+    const bool holder = language_.hears_people() && !place.unknown && !place.person && (lexicon_->is_place_name(place.phrase) || language_.holds_things(place.phrase));
+    if (done != i + 1 && (place.all || holder) && (lexicon_->is_place_name(place.phrase) || holder)) {
       clause.frame = Frame::kPlace, clause.verb = "put";
-      place.role = Role::kDestination, place.where = Where::kOn;
+      place.role = Role::kDestination, place.where = language_.holds_things(place.phrase) ? Where::kIn : Where::kOn;
       clause.phrases.push_back(place);
       add(std::move(clause));
       return done;

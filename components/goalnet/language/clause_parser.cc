@@ -167,7 +167,12 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   }
   if (NounPhrase subject;
       word == "can" || word == "could" || word == "may" || word == "should" || word == "would") {
-    const std::size_t done = reader_.read(at + 1, end, subject);
+    std::size_t done = reader_.read(at + 1, end, subject);
+    for (NounPhrase more; language_.hears_people() && done != at + 1 && done + 1 < end && words_[done] == "and"; more = {}) {
+      const std::size_t after = reader_.read(done + 1, end, more);  // "could the plate and the bowl be set on the table?"
+      if (after == done + 1 || more.person) break;
+      done = after;
+    }
     if (done != at + 1 && !subject.person && done < end &&
         (words_[done] == "go" || words_[done] == "be" || words_[done] == "get" || words_[done] == "have")) {
       ensured_ = true;  // "could the coffee go in the microwave?"

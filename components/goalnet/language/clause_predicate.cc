@@ -109,6 +109,20 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         continue;
       }
     }
+    // "the coffee needs a squirt of chocolate", "armchair 4 needs a pillow"
+    const bool needs = language_.hears_people() && i > 0 && (words_[i - 1] == "need" || words_[i - 1] == "want" || words_[i - 1] == "lack");
+    if (NounPhrase thing; needs && desired && !negative && clause.mood == Mood::kStatement && !clause.phrases.empty() &&
+                          !clause.phrases.front().person) {
+      const std::size_t done = reader_.read(i, end, thing);
+      if (done != i && !thing.pronoun && !thing.person && !thing.unknown && !thing.bare() && ends_here(done, end)) {
+        NounPhrase holder = clause.phrases.front();
+        holder.role = Role::kDestination, holder.where = Where::kTo;
+        clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
+        clause.phrases = {thing, holder};
+        i = done;
+        continue;
+      }
+    }
     // a new command without a join: "i cannot see it turn on the tv"
     if (opens_command(i, end) && i > at) return i;
     ++i;

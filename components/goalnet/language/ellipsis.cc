@@ -143,8 +143,11 @@ class Filler {
       if (sentence_start && one.part == Part::kOther && two.part == Part::kPlace && words_.text[one.end] == "." &&
           language_.verb(words_.text[one.content < one.end ? one.content : one.begin]) == Frame::kNone &&
           words_.text[one.begin] != "wish" && tells(one)) {
-        insert(two.content, two.with_preposition ? std::vector<std::string>{"put", "it"}
-                                                 : std::vector<std::string>{"put", "it", "to"});
+        const bool many = std::any_of(words_.plural.begin() + static_cast<long>(one.begin),
+                                      words_.plural.begin() + static_cast<long>(one.end), [](bool plural) { return plural; });
+        std::vector<std::string> put_it = {"put", many ? "them" : "it"};
+        if (!two.with_preposition) put_it.emplace_back("to");
+        insert(two.content, put_it);
         return true;
       }
     }

@@ -196,6 +196,11 @@ void FrameActions::notice(const Clause& clause) {
         last_destination_ = {there.front()};
         history_.insert(history_.begin(), {there.front()});
       }
+    if (at_home_ && phrase.role == Role::kDirect && phrase.pronoun)  // "my soup is cold, it is in the bowl"
+      for (const NounPhrase& place : phrase.at)
+        if (!place.pronoun && !place.bare() && !place.unknown)
+          if (const Objects there = resolver_.options(place, Sort::kVessel, now_); !there.empty())
+            history_.push_back({there.front()});
     if (phrase.role != Role::kDirect || phrase.pronoun || phrase.bare() || phrase.unknown) continue;
     // what stands where the sentence says counts, not everything of that name
     Objects objects = resolver_.options(phrase, Sort::kAny, now_);
@@ -208,7 +213,7 @@ void FrameActions::notice(const Clause& clause) {
         if (!place.pronoun && !place.bare() && !place.unknown && !place.negated)
           if (const Objects there = resolver_.options(place, Sort::kPlace, now_); there.size() == 1)
             history_.insert(history_.begin(), there);
-    const bool content = language_.content(phrase.phrase) != kNone && (!phrase.at.empty() || at_home_);
+    const bool content = language_.content(phrase.phrase) != kNone && (!phrase.at.empty() || (at_home_ && !objects.empty() && !resolver_.class_of(objects.front())->drink));
     content_told_ = content ? phrase.phrase : std::string();
     if (phrase.everything) mass_ = objects;
     // "there is stuff on that burner, clear everything from there"

@@ -89,6 +89,25 @@ std::string FrameActions::put(const Clause& said) {
                ? go(clause)
                : "it is not clear what to put there";
   if (thing->scoop) return scoop(clause);
+  if (at_home_ && !destination->pronoun && !destination->bare()) {
+    const Objects into = resolver_.options(*destination, Sort::kMovable, now_);
+    // "transfer what is in the mug to the glass"
+    if (thing->everything && !thing->at.empty() && !thing->at.front().pronoun && !thing->at.front().bare() &&
+        !into.empty() && resolver_.is_vessel(into.front()) &&
+        !resolver_.options(thing->at.front(), Sort::kVessel, now_).empty()) {
+      Clause poured = clause;
+      poured.frame = Frame::kPour, poured.verb = "pour";
+      return pour(poured);
+    }
+    // "chocolate sauce on the ice cream"
+    const Objects bottle = thing->pronoun || thing->everything ? Objects{} : resolver_.options(*thing, Sort::kMovable, now_);
+    if (!into.empty() && into.front() == resolver_.ice_cream() && !bottle.empty() &&
+        now_.has(Relation::kIsSqueezeable, bottle.front()))
+      return add_to(clause);
+    if (thing->phrase == "bag" && !into.empty() && into.front() == kGarbageBin_1 && resolver_.exists(kGarbageBag_1))
+      for (NounPhrase& phrase : clause.phrases)  // "the bag goes in the bin"
+        if (phrase.role == Role::kDirect) phrase.phrase = "garbage bag";
+  }
   if (language_.tv_word(destination->phrase)) return television(clause);  // "put the tv on channel 2"
   if (language_.content(destination->phrase) == kIceCream && !thing->pronoun &&
       !resolver_.named(*thing).empty() && resolver_.named(*thing).front() == kSpoon_1)

@@ -43,6 +43,9 @@ std::string FrameActions::put_without_place(const Clause& clause) {
     notice(clause);  // "keep the beer"
     return {};
   }
+  if (at_home_ && !clause.to_person && clause.particles.empty() &&
+      (clause.verb == "sling" || clause.verb == "fling" || clause.verb == "lob" || clause.verb == "bung"))
+    return discard(clause);
   if (clause.verb == "shelve" && thing != nullptr) {
     Clause shelved = clause;
     shelved.phrases.emplace_back();

@@ -73,6 +73,23 @@ std::string FrameActions::take(const Clause& clause) {
       return put(wanted);
     }
   }
+  // "the second disc in the xbox and the first one on the table": each to its place
+  if (const auto placed = std::count_if(clause.phrases.begin(), clause.phrases.end(),
+                                        [](const NounPhrase& p) { return p.role == Role::kDirect && !p.at.empty(); });
+      at_home_ && clause.wish && placed > 1 && clause.first(Role::kDestination) == nullptr) {
+    for (const NounPhrase& phrase : clause.phrases) {
+      Clause one = clause;
+      one.phrases = {phrase};
+      if (const Problem problem = take(one); !problem.empty()) return problem;
+    }
+    return {};
+  }
+  // "I want an empty stove"
+  if (const NounPhrase* place = clause.first(Role::kDirect);
+      at_home_ && clause.wish && place != nullptr && clause.phrases.size() == 1 && !place->pronoun && !place->bare() &&
+      (place->has("empty") || place->has("free") || place->has("clean")) && resolver_.options(*place, Sort::kMovable, now_).empty() &&
+      !resolver_.options(*place, Sort::kPlace, now_).empty())
+    return this->clear(clause);
   // "gather them on the study table"
   if (there_or_which && !clause.wish && at_home_ && clause.first(Role::kDestination) != nullptr) {
     Clause gathered = clause;
@@ -100,7 +117,9 @@ std::string FrameActions::take(const Clause& clause) {
                                                              thing->at.front().where == Where::kUnder &&
                                                              resolver_.exists(kFridgeButton)) {
     const NounPhrase& under = thing->at.front();
-    const Objects tap = under.pronoun || under.bare() ? Objects{} : resolver_.options(under, Sort::kDevice, now_);
+    const Objects tap = under.pronoun ? pronoun(under, Sort::kDevice, {})
+                        : under.bare() ? Objects{}
+                                       : resolver_.options(under, Sort::kDevice, now_);
     if (!tap.empty() && (tap.front() == kFridgeButton || tap.front() == kSinkKnob)) {
       Clause filled = clause;
       filled.frame = Frame::kFill, filled.verb = "fill", filled.to_person = false;
@@ -184,12 +203,16 @@ std::string FrameActions::take(const Clause& clause) {
       clause.wish && located.phrases.size() == 1 && thing != nullptr && !thing->pronoun && !thing->bare() &&
       !thing->everything && resolver_.options(*thing, Sort::kMovable, now_).empty()) {
     const auto devices = resolver_.options(*thing, Sort::kDevice, now_);
-    if (!devices.empty() && (devices.front() == kTv_1 || devices.front() == kSinkKnob))
+    if (!devices.empty() && (devices.front() == kTv_1 || devices.front() == kSinkKnob ||
+                             (at_home_ && (devices.front() == kStove || devices.front() == kFridgeButton))))
       return turn(clause, 1);
   }
   Problem problem;
   const auto objects = direct(located, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
+  constexpr std::size_t kMostCarried = 6;  // two hands and the tray
+  if (at_home_ && objects.size() > kMostCarried)
+    return "that are " + std::to_string(objects.size()) + " things; " + std::to_string(kMostCarried) + " can be carried";
   for (const Symbol object : objects)
     if (problem = take_up(object); !problem.empty()) return problem;
   return {};

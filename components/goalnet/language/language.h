@@ -117,6 +117,8 @@ class Language {
   // Known words within a small typing error, the likeliest first, and words that sound alike ("of" for
   // "off").
   std::vector<std::string> corrections(const std::string& word) const;
+  // Whether it is no word at all, so that it may be a typing error.
+  bool may_be_a_slip(const std::string& word) const;
   // The known word nearest in spelling, for "did you mean"; empty when nothing is near.
   std::string nearest(const std::string& word) const;
   // What to tell a person about a word that is not known, with the nearest known one where there is one.
@@ -132,7 +134,6 @@ class Language {
 
  private:
   void collect_vocabulary();
-  bool may_be_a_slip(const std::string& word) const;
   std::vector<std::string> within_a_slip(const std::string& word) const;
   void add_state(const std::string& word, const std::string& wanted, const std::string& complaint,
                  const std::string& opposite);

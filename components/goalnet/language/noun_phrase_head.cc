@@ -55,6 +55,14 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     phrase.pronoun = true, phrase.word = "that";  // "bring me that one"
     return after(i + 1, end, phrase);
   }
+  // "the instant ones", "the tall one": the word makes another name of what was spoken of
+  if (language_.hears_people() && i + 1 < end && words_.text[i + 1] == "one" && determined && !one().empty()) {
+    const std::string last = one().substr(one().rfind(' ') == std::string::npos ? 0 : one().rfind(' ') + 1);
+    if (lexicon_.is_name(word + " " + last)) {
+      phrase.phrase = word + " " + last, phrase.word = phrase.phrase, phrase.plural = words_.plural[i + 1];
+      return after(i + 2, end, phrase);
+    }
+  }
   if (word == "one" && (determined || !phrase.adjectives.empty())) {
     phrase.phrase = one(), phrase.word = "one", phrase.plural = words_.plural[i];
     if (phrase.phrase.empty()) phrase.pronoun = true;

@@ -27,6 +27,7 @@ class RobotLanguage {
   const ReadingConfidence& confidence() const { return confidence_; }
 
  private:
+  bool names_nothing(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end) const;
   explicit RobotLanguage(Symbols& symbols) : symbols_(symbols) {}
 
   Symbols& symbols_;

@@ -92,6 +92,21 @@ void drop_thrown_in(std::vector<std::string>& words, const Language& language) {
   words = std::move(kept);
 }
 
+// "what this coffee needs is a squirt of chocolate"
+void needs_first(std::vector<std::string>& words) {
+  constexpr std::size_t kLongestSubject = 5;
+  for (std::size_t i = 0; i + 3 < words.size(); ++i) {
+    if (words[i] != "what" || !(i == 0 || ends_part(words, i - 1))) continue;
+    for (std::size_t k = i + 2; k + 1 < words.size() && k <= i + kLongestSubject; ++k)
+      if ((words[k] == "needs" || words[k] == "need" || words[k] == "wants" || words[k] == "lacks") &&
+          words[k + 1] == "is" && words[i + 1] != "i" && words[i + 1] != "we" && words[i + 1] != "you") {
+        words.erase(words.begin() + static_cast<long>(k) + 1);
+        words.erase(words.begin() + static_cast<long>(i));
+        break;
+      }
+  }
+}
+
 void afterthoughts_first(std::vector<std::string>& words) {
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
     if (words[i] != "i" || (words[i + 1] != "mean" && words[i + 1] != "meant") || !ends_part(words, i + 2)) continue;

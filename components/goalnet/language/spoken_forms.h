@@ -14,6 +14,8 @@ void resolve_endings(std::vector<std::string>& words, const Language& language);
 void resolve_headings(std::vector<std::string>& words, const Language& language);
 // Adverbs that change nothing ("terribly", "kindly") and "please" in the middle of what it belongs to.
 void drop_thrown_in(std::vector<std::string>& words, const Language& language);
+// "what this coffee needs is chocolate" -> "this coffee needs chocolate".
+void needs_first(std::vector<std::string>& words);
 // "on the coffee table, snack table I mean" -> "on the coffee table, correction snack table".
 void afterthoughts_first(std::vector<std::string>& words);
 // ", ," and ", ." where something between fell away.
