@@ -141,10 +141,15 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
       clause.phrases.back().content = phrase.phrase;
       return done;
     }
+    std::size_t after = done;
+    if (NounPhrase there; language_.hears_people() && reader_.read_place(done, end, there) != done && there.pronoun) {
+      after = reader_.read_place(done, end, there);  // "with the beer beside it"
+      phrase.at = {there};
+    }
     role = Role::kWith;
     phrase.role = role;
     if (!phrase.hand && !phrase.person) clause.phrases.push_back(std::move(phrase));
-    return done;
+    return after;
   }
   if ((word == "a" || word == "one" || word == "another" || number_word(word) > 0) && i + 1 < end &&
       language_.time_unit(words_[i + 1]) && reader_.name_length(i + 1) == 0)

@@ -144,8 +144,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       NounPhrase phrase;
       if (const std::size_t done = reader_.read(i + 1, end, phrase); done != i + 1) {
         phrase.role = Role::kExcept;
+        NounPhrase there;  // "not the one on the couch"
+        const std::size_t after = language_.hears_people() && phrase.word == "one" ? reader_.read_place(done, end, there) : done;
+        if (after != done) phrase.at.push_back(there);
         clause.phrases.push_back(std::move(phrase));
-        i = done;
+        i = after;
         continue;
       }
     }
@@ -225,7 +228,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     return i;
   }
   // "it goes on the shelf, put it back": there, wherever it stood
-  if (result_.clauses.size() > 0 && result_.clauses.back().belongs &&
+  const auto last_asked = std::find_if(result_.clauses.rbegin(), result_.clauses.rend(),
+                                       [](const Clause& c) { return c.mood == Mood::kCommand; });
+  const bool belongs = language_.hears_people() ? last_asked != result_.clauses.rend() && last_asked->belongs
+                                                : !result_.clauses.empty() && result_.clauses.back().belongs;
+  if (belongs &&
       (clause.has_particle("back") || (language_.hears_people() && !clause.to_person)) &&
       (clause.frame == Frame::kPlace || (language_.hears_people() && clause.frame == Frame::kBring)) && clause.phrases.size() == 1 && clause.phrases.front().pronoun &&
       clause.mood == Mood::kCommand)

@@ -70,8 +70,9 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
       polite = polite || purpose.person;
     }
     for (; k < end && !language_.joins(words_[k]); ++k) {
-      if (!harmless(k)) return false;
-      polite = polite || words_[k] == "please" || words_[k] == "me" || words_[k] == "us";
+      if (!harmless(k) && !(words_[k] == "here" && language_.hears_people())) return false;
+      polite = polite || words_[k] == "please" || words_[k] == "me" || words_[k] == "us" ||
+               (words_[k] == "here" && language_.hears_people());
     }
     if (k + 1 < end && words_[k] == "," && words_[k + 1] == "please") polite = true;
     return true;
@@ -184,7 +185,7 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   if (only_harmless_from(i) && polite) {
     clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;
     add(std::move(clause));
-    return i;
+    return language_.hears_people() ? part_end(i, end) : i;
   }
   if (ends_here(i, end) && again(clause)) {
     while (i < end && words_[i] != ",") ++i;

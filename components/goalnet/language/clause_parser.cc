@@ -98,6 +98,10 @@ ParsedSentence ClauseParser::parse() {
 }
 
 std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
+  if (language_.hears_people() && words_[at] == "whoever") {  // "whoever left the tap on should be ashamed"
+    add_told(at, part_end(at, end));
+    return part_end(at, end);
+  }
   at = skip_joins(at, end);
   if (at >= end) return at;
   const std::string& word = words_[at];

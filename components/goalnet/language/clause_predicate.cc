@@ -117,7 +117,8 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
       if (done != i && !thing.pronoun && !thing.person && !thing.unknown && !thing.bare() && ends_here(done, end)) {
         NounPhrase holder = clause.phrases.front();
         holder.role = Role::kDestination, holder.where = Where::kTo;
-        clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
+        const bool dish = language_.holds_things(holder.phrase) || language_.content(holder.phrase) != symbol::kNone;
+        clause.mood = Mood::kCommand, clause.frame = dish ? Frame::kAdd : Frame::kPlace, clause.verb = dish ? "add" : "put";
         clause.phrases = {thing, holder};
         i = done;
         continue;

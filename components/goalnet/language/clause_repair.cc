@@ -57,7 +57,8 @@ std::size_t ClauseParser::narrows(std::size_t at, std::size_t end) {
 std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   std::size_t next = at;
   while (next < end && (words_[next] == "correction" || language_.joins(words_[next]) ||
-                        (harmless(next) && !reader_.starts(next, end) && !place_preposition(words_[next]))))
+                        (harmless(next) && !reader_.starts(next, end) && !place_preposition(words_[next]) &&
+                         !(language_.hears_people() && (words_[next] == "i" || words_[next] == "we")))))
     ++next;
   if (const std::size_t stop = part_end(next, end);  // "no, scratch that, I am driving, the coke"
       language_.hears_people() && next < end && stop < end && tells(next, stop))

@@ -152,9 +152,11 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   for (std::size_t next = i; next + 1 < end && (words_[next] == "and" || words_[next] == ",");) {
     NounPhrase more;  // "xbox and controller belong on the table"
     const std::size_t done = reader_.read(next + 1, end, more);
-    if (done == next + 1 || more.person || more.unknown || done >= end) break;
+    const bool last_there = there && language_.hears_people() && done == end;
+    if (done == next + 1 || more.person || more.unknown || (done >= end && !last_there)) break;
     subjects.push_back(more);
     next = done;
+    if (last_there) break;
     if (language_.copula(words_[done]) || one_of(words_[done], kDesire)) i = done;
   }
   const bool all_there = there && language_.hears_people() && subjects.size() > 1 && i == named;  // "there is the beer and the coke"

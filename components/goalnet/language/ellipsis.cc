@@ -154,8 +154,9 @@ class Filler {
     // "the fork and the spoon both in the sink"
     for (std::size_t i = 1; i + 1 < words_.text.size(); ++i)
       if ((words_.text[i] == "both" || words_.text[i] == "all") && place_preposition(words_.text[i + 1]) &&
-          words_.text[i + 1] != "to" && language_.names_something(words_.text[i - 1]) &&
-          language_.verb(words_.text[i - 1]) == Frame::kNone) {
+          words_.text[i + 1] != "to" && language_.names_something(words_.text[i - 1]) && i > 1 &&
+          (language_.joins(words_.text[i - 2]) || one_of(words_.text[i - 2], kArticles) ||
+           language_.names_something(words_.text[i - 2]))) {
         erase(i);
         return true;
       }

@@ -211,6 +211,7 @@ std::string FrameActions::take(const Clause& clause) {
   const auto objects = direct(located, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
   constexpr std::size_t kMostCarried = 6;  // two hands and the tray
+  if (at_home_ && objects.size() > kMostCarried && located.first(Role::kSource) != nullptr) return this->clear(located);
   if (at_home_ && objects.size() > kMostCarried)
     return "that are " + std::to_string(objects.size()) + " things; " + std::to_string(kMostCarried) + " can be carried";
   for (const Symbol object : objects)

@@ -47,7 +47,8 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
       phrase.number = number_word(words_.text[i]);
       ++i;
     }
-    (in_place_ ? last_place_ : last_thing_) = phrase.phrase;
+    const bool furniture = language_.hears_people() && lexicon_.is_place_name(phrase.phrase) && !last_thing_.empty();
+    (in_place_ || furniture ? last_place_ : last_thing_) = phrase.phrase;
     return after(i, end, phrase);
   }
   if (word == "one" && i > 0 && (words_.text[i - 1] == "that" || words_.text[i - 1] == "this") &&

@@ -119,9 +119,10 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
 
 // Whether nothing of this place, nothing to do and no "not" or "if" is spoken of.
 bool RobotLanguage::names_nothing(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end) const {
-  static constexpr std::array<std::string_view, 24> kTurns = {
+  static constexpr std::array<std::string_view, 44> kTurns = {
       "not", "no", "never", "dont", "without", "except", "instead", "or", "if", "unless", "before", "after", "until", "till",
-      "then", "it", "them", "that", "those", "both", "one", "all", "rest", "other"};
+      "then", "hour", "hours", "minutes", "minute", "mins", "tomorrow", "oclock", "pm", "am", "noon", "midnight", "later", "when", "whenever",
+      "every", "week", "day", "monday", "weekend", "tonight", "it", "them", "that", "those", "both", "one", "all", "rest", "other"};
   for (std::size_t i = begin; i < end; ++i) {
     const std::string& word = tokens[i];
     const std::string stem = singular(word);

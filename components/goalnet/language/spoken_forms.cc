@@ -49,6 +49,38 @@ void resolve_endings(std::vector<std::string>& words, const Language& language) 
   words = std::move(kept);
 }
 
+void expand_contractions(std::vector<std::string>& words) {
+  static constexpr std::array<std::array<std::string_view, 3>, 18> kForms = {{{"im", "i", "am"},
+                                                                             {"ive", "i", "have"},
+                                                                             {"id", "i", "would"},
+                                                                             {"youre", "you", "are"},
+                                                                             {"youve", "you", "have"},
+                                                                             {"youd", "you", "would"},
+                                                                             {"theyre", "they", "are"},
+                                                                             {"theyve", "they", "have"},
+                                                                             {"weve", "we", "have"},
+                                                                             {"itd", "it", "would"},
+                                                                             {"itll", "it", "will"},
+                                                                             {"thatd", "that", "would"},
+                                                                             {"thatll", "that", "will"},
+                                                                             {"hes", "he", "is"},
+                                                                             {"shes", "she", "is"},
+                                                                             {"thats", "that", "is"},
+                                                                             {"theres", "there", "is"},
+                                                                             {"whats", "what", "is"}}};
+  std::vector<std::string> whole;
+  for (const std::string& word : words) {
+    const auto form = std::find_if(kForms.begin(), kForms.end(), [&](const auto& f) { return f[0] == word; });
+    if (form == kForms.end()) {
+      whole.push_back(word);
+      continue;
+    }
+    whole.emplace_back(form->at(1));
+    whole.emplace_back(form->at(2));
+  }
+  words = std::move(whole);
+}
+
 void resolve_headings(std::vector<std::string>& words, const Language& language) {
   constexpr std::size_t kLongestHeading = 5;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -10,6 +10,8 @@ class Language;
 
 // "the kettle 's empty" -> "the kettle is empty"; "mum 's mug" -> "mum mug". See Endings::kKept of the tokenizer.
 void resolve_endings(std::vector<std::string>& words, const Language& language);
+// "id like" -> "i would like", "im thirsty" -> "i am thirsty".
+void expand_contractions(std::vector<std::string>& words);
 // "guests: two plates" -> "two plates"; "trash: the coke" -> "trash the coke"; else ":" becomes ",".
 void resolve_headings(std::vector<std::string>& words, const Language& language);
 // Adverbs that change nothing ("terribly", "kindly") and "please" in the middle of what it belongs to.
