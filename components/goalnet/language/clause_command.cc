@@ -70,6 +70,15 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       if (language_.hears_people() && word == "," && one_of(words_[next], kSubjects) && !one_of(words_[next], kPointers) &&
           tells(next, part_end(next, end)) && !is_pronoun(words_[next]))
         break;  // "mute, I am on a call"
+      if (language_.hears_people() && number_word(words_[next]) > 0 && next + 1 < end && language_.copula(words_[next + 1]))
+        break;  // "burner two, three is broken"
+      if (NounPhrase with; language_.hears_people() && words_[next] == "with" && !clause.phrases.empty()) {
+        const std::size_t done = reader_.read(next + 1, end, with);  // "..., with the beer beside it"
+        if (done != next + 1 && !opens_command(done, end)) {
+          i = next;
+          continue;
+        }
+      }
       if (language_.hears_people() && word == "," && clause.verb == "leave" && words_[next - 1] == "but") break;
       if (word == "," && tells_time(next, part_end(next, end))) break;  // "bring the mug, bus in an hour"
       NounPhrase phrase;

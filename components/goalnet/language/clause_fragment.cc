@@ -62,7 +62,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   bool polite = false;
   for (const std::string& word : words_)
     polite =
-        polite || word == "please" || word == "now" || word == "quick" || word == "asap" || word == "thank";
+        polite || word == "please" || word == "now" || word == "quick" || word == "asap" || word == "thank" ||
+        (word == "thanks" && language_.hears_people());
   const auto only_harmless_from = [&](std::size_t from) {
     std::size_t k = from;
     if (NounPhrase purpose; k < end && words_[k] == "for") {
@@ -185,7 +186,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   if (only_harmless_from(i) && polite) {
     clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;
     add(std::move(clause));
-    return language_.hears_people() ? part_end(i, end) : i;
+    while (language_.hears_people() && i < end && !language_.joins(words_[i])) ++i;
+    return i;
   }
   if (ends_here(i, end) && again(clause)) {
     while (i < end && words_[i] != ",") ++i;

@@ -54,6 +54,7 @@ std::size_t ClauseParser::skip_part(std::size_t at, std::size_t end) const {
 }
 
 void ClauseParser::for_later() {
+  result_.for_later = true;
   if (result_.problem.empty())
     result_.problem = "wishes for later are not kept; say it when it is to be done";
 }

@@ -39,7 +39,7 @@ class Filler {
   bool harmless(std::size_t i) const {
     const std::string& word = words_.text[i];
     return (language_.filler(word) || language_.adverb(word)) && language_.verb(word) == Frame::kNone &&
-           !place_preposition(word) && !one_of(word, kParticles) && !language_.asks(word);
+           !place_preposition(word) && !is_pronoun(word) && !one_of(word, kPointers) && !one_of(word, kPersons) && !one_of(word, kParticles) && !language_.asks(word);
   }
 
   Span span(const NounPhraseReader& reader, std::size_t begin, std::size_t end) const {
@@ -154,9 +154,9 @@ class Filler {
     // "the fork and the spoon both in the sink"
     for (std::size_t i = 1; i + 1 < words_.text.size(); ++i)
       if ((words_.text[i] == "both" || words_.text[i] == "all") && place_preposition(words_.text[i + 1]) &&
-          words_.text[i + 1] != "to" && language_.names_something(words_.text[i - 1]) && i > 1 &&
+          words_.text[i + 1] != "to" && lexicon_.is_name(words_.text[i - 1]) && i > 1 &&
           (language_.joins(words_.text[i - 2]) || one_of(words_.text[i - 2], kArticles) ||
-           language_.names_something(words_.text[i - 2]))) {
+           lexicon_.is_name(words_.text[i - 2]))) {
         erase(i);
         return true;
       }

@@ -46,6 +46,21 @@ std::string FrameActions::take(const Clause& clause) {
     if (language_.tv_word(phrase.phrase) && phrase.role == Role::kDirect)
       return television(clause);  // "give me channel 5"
   }
+  // "the second disc in the xbox and the first one on the table": each to its place
+  if (const auto placed = std::count_if(clause.phrases.begin(), clause.phrases.end(),
+                                        [](const NounPhrase& p) { return p.role == Role::kDirect && !p.at.empty(); });
+      at_home_ && clause.wish && placed > 1 && clause.first(Role::kDestination) == nullptr) {
+    for (const NounPhrase& phrase : clause.phrases) {
+      Clause one = clause;
+      one.phrases = {phrase};
+      if (const Problem problem = take(one); !problem.empty()) return problem;
+    }
+    return {};
+  }
+  // "everything off it"
+  if (const NounPhrase *all = clause.first(Role::kDirect), *from = clause.first(Role::kSource);
+      at_home_ && all != nullptr && from != nullptr && all->everything && all->at.empty() && from->pronoun)
+    return this->clear(clause);
   // "I want the book on the shelf", "gather the pillows on the couch": put it there, unless that says which
   const bool there_or_which = clause.wish || clause.verb == "gather" || clause.verb == "collect";
   const NounPhrase* located_thing = clause.first(Role::kDirect);
@@ -73,23 +88,16 @@ std::string FrameActions::take(const Clause& clause) {
       return put(wanted);
     }
   }
-  // "the second disc in the xbox and the first one on the table": each to its place
-  if (const auto placed = std::count_if(clause.phrases.begin(), clause.phrases.end(),
-                                        [](const NounPhrase& p) { return p.role == Role::kDirect && !p.at.empty(); });
-      at_home_ && clause.wish && placed > 1 && clause.first(Role::kDestination) == nullptr) {
-    for (const NounPhrase& phrase : clause.phrases) {
-      Clause one = clause;
-      one.phrases = {phrase};
-      if (const Problem problem = take(one); !problem.empty()) return problem;
-    }
-    return {};
-  }
   // "I want an empty stove"
   if (const NounPhrase* place = clause.first(Role::kDirect);
       at_home_ && clause.wish && place != nullptr && clause.phrases.size() == 1 && !place->pronoun && !place->bare() &&
       (place->has("empty") || place->has("free") || place->has("clean")) && resolver_.options(*place, Sort::kMovable, now_).empty() &&
       !resolver_.options(*place, Sort::kPlace, now_).empty())
-    return this->clear(clause);
+    {
+    Clause cleared = clause;
+    cleared.phrases.front().adjectives.clear();
+    return this->clear(cleared);
+  }
   // "gather them on the study table"
   if (there_or_which && !clause.wish && at_home_ && clause.first(Role::kDestination) != nullptr) {
     Clause gathered = clause;
@@ -113,10 +121,11 @@ std::string FrameActions::take(const Clause& clause) {
     }
   }
   // "hold the glass under the water dispenser"
-  if (const NounPhrase* thing = clause.first(Role::kDirect); at_home_ && thing != nullptr && !thing->at.empty() &&
-                                                             thing->at.front().where == Where::kUnder &&
-                                                             resolver_.exists(kFridgeButton)) {
-    const NounPhrase& under = thing->at.front();
+  if (const NounPhrase* thing = clause.first(Role::kDirect); at_home_ && thing != nullptr && resolver_.exists(kFridgeButton) &&
+                                                             ((!thing->at.empty() && thing->at.front().where == Where::kUnder) ||
+                                                              (clause.first(Role::kDestination) != nullptr &&
+                                                               clause.first(Role::kDestination)->where == Where::kUnder))) {
+    const NounPhrase under = thing->at.empty() ? *clause.first(Role::kDestination) : thing->at.front();
     const Objects tap = under.pronoun ? pronoun(under, Sort::kDevice, {})
                         : under.bare() ? Objects{}
                                        : resolver_.options(under, Sort::kDevice, now_);
@@ -124,6 +133,7 @@ std::string FrameActions::take(const Clause& clause) {
       Clause filled = clause;
       filled.frame = Frame::kFill, filled.verb = "fill", filled.to_person = false;
       for (NounPhrase& phrase : filled.phrases) phrase.at.clear();
+      std::erase_if(filled.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kDestination; });
       return fill(filled);
     }
   }

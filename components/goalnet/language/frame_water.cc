@@ -60,7 +60,9 @@ std::string FrameActions::fill(const Clause& said) {
   const auto vessels = direct(clause, Sort::kVessel, problem);
   if (!problem.empty()) return problem;
   const NounPhrase* with = clause.first(Role::kWith);
-  if (with != nullptr && content == kNone) {
+  if (with != nullptr &&
+      (content == kNone || (at_home_ && (content == kSalt || content == kChocolate || content == kVanilla ||
+                                         content == kRamen || content == kEgg)))) {
     if (with->everything && !with->at.empty() && !with->at.front().pronoun && !with->at.front().bare()) {
       const auto from =
           resolver_.options(with->at.front(), Sort::kVessel, now_);  // "with what is in the mug"
@@ -69,9 +71,11 @@ std::string FrameActions::fill(const Clause& said) {
       if (content == kNone) return "there is nothing in that to fill it with";
     }
     if (with->has("everything") || with->pronoun) return "it is not clear what to fill it with";
+    // "the coffee needs a squirt of chocolate"
+    const bool sprinkled = at_home_ && (content == kSalt || content == kChocolate || content == kVanilla || content == kRamen || content == kEgg);
     bool done = content != kNone;
     for (const Symbol vessel : vessels)
-      if (problem = content != kNone ? fill_one(vessel, content) : add_content(*with, vessel, done);
+      if (problem = content != kNone && !sprinkled ? fill_one(vessel, content) : add_content(*with, vessel, done);
           !problem.empty())
         return problem;
     return done ? Problem{} : "it is not known how to fill something with " + with->word;
@@ -218,6 +222,7 @@ std::string FrameActions::pour(const Clause& clause) {
   const bool only_content = source_phrase == nullptr && content != kNone && thing != nullptr &&
                             thing->content.empty() && thing->at.empty();  // "pour the coffee into the glass"
   problem = pour_into(source, targets.front(), !only_content);
+  if (at_home_) last_destination_ = {targets.front()};
   remember(targets);
   return problem;
 }

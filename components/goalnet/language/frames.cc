@@ -55,6 +55,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       }
   }
   if (!sentence.problem.empty()) result.problems.push_back(sentence.problem);
+  result.for_later = sentence.for_later;
   if (!any_command) {
     result.nothing_known = true;
     const bool forbids = std::any_of(sentence.clauses.begin(), sentence.clauses.end(),

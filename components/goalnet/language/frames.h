@@ -17,6 +17,7 @@ struct Understanding {
   bool complete = false;              // every clause was understood
   std::vector<std::string> problems;  // why a clause was not: one sentence each
   bool unknown_thing = false;         // all of the problems: things that are not here; the rest was read
+  bool for_later = false;             // a wish that nobody here keeps until then
   bool nothing_known = false;         // no verb, or nothing it could be about
 
   // How the reading came about; what the confidence is made of.

@@ -81,7 +81,7 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   reading.instruction = see_instruction({}, nullptr, with_parts, *lexicon_, *language_, symbols_);
   const FrameReader reader(*lexicon_, *language_, symbols_, true);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
-  if (reading.understanding.complete) return reading;
+  if (reading.understanding.complete || reading.understanding.for_later) return reading;
   // The likeliest spelling makes no sense: perhaps another one does.
   int tries = 0;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
