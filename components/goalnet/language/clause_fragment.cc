@@ -78,6 +78,25 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     if (k + 1 < end && words_[k] == "," && words_[k + 1] == "please") polite = true;
     return true;
   };
+  if (language_.hears_people() && subject.word == "one" && words_[at] == "the") {  // "the one on the shelf": of what?
+    result_.stray.push_back("one");
+    return part_end(at, end);
+  }
+  if (language_.hears_people())  // "another book please, not the one on the couch"
+    for (std::size_t k = i; k < end; ++k) {
+      if (words_[k] != "not" && !language_.joins(words_[k]) && !harmless(k)) break;
+      NounPhrase left_out, there;
+      if (words_[k] != "not") continue;
+      const std::size_t done = reader_.read(k + 1, end, left_out), after = reader_.read_place(done, end, there);
+      if (done == k + 1 || left_out.person) break;
+      if (after != done) left_out.at.push_back(there);
+      if (!ends_here(after, end)) break;
+      left_out.role = Role::kExcept;
+      clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;
+      clause.phrases.push_back(std::move(left_out));
+      add(std::move(clause));
+      return after;
+    }
   if (subject.unknown) {
     result_.stray.push_back(subject.word);
     return std::max(i, at + 1);

@@ -31,6 +31,8 @@ bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
   const std::size_t name = reader_.name_length(at);
   if (name == 0) return true;
   if (name > 1) return false;
+  if (language_.hears_people() && (words_[at] == "spoon" || words_[at] == "fork") && at + 1 < end && place_preposition(words_[at + 1]))
+    return false;  // "fork on plate one, spoon on plate two"
   std::size_t next = at + 1;
   while (next < end && (words_[next] == "up" || words_[next] == "out" || words_[next] == "on")) ++next;
   if (next < end && (is_pronoun(words_[next]) || words_[next] == "that" || words_[next] == "this"))
@@ -227,6 +229,15 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   }
   if ((at == 0 || words_[at - 1] == ".") && !language_.known(word) && opens_command(at + 1, end))
     return at + 1;  // "alexa turn the tap on"
+  // "share the coffee, pour it into the glass": nobody knows how to share, but what comes next says it
+  if (const std::size_t stop = part_end(at, end);
+      language_.hears_people() && (at == 0 || words_[at - 1] == "." || words_[at - 1] == ",") && stop + 1 < end &&
+      words_[stop] == "," && language_.english_verb(word) && language_.verb(word) == Frame::kNone &&
+      reader_.starts(at + 1, stop) && !language_.copula(word) && opens_command(skip_joins(stop, end), end) &&
+      std::any_of(words_.begin() + static_cast<long>(stop), words_.begin() + static_cast<long>(end), is_pronoun)) {
+    add_told(at, stop);
+    return stop;
+  }
   if (const std::size_t stop = narrows(at, end); stop != at) return stop;
   if (const std::size_t stop = topic(at, end); stop != at) return stop;
   if (const std::size_t stop = verb_last(at, end); stop != at) return stop;

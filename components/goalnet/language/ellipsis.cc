@@ -11,6 +11,8 @@ using namespace word_group;
 
 namespace {
 
+constexpr std::array kTemperatures = {"hot"sv, "warm"sv};
+
 // What a part between two pauses is made of.
 enum class Part { kOther, kThings, kPlace, kCountAtPlace, kVerb };
 
@@ -131,8 +133,23 @@ class Filler {
         for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
         return true;
       }
-      // "the fork. give."
-      if (one.part == Part::kThings && two.part == Part::kVerb && words_.text[one.end] == ".") {
+      // "need coffee. hot.", "coffee, hot, please"
+      if (one.part == Part::kThings && two.content < two.end && one_of(words_.text[two.content], kTemperatures) &&
+          two.end == two.content + 1) {
+        const std::string word = words_.text[two.content];
+        erase(two.content);
+        erase(one.end);
+        insert(one.content, {word});
+        return true;
+      }
+      // "fetch! the fork!"
+      if (one.part == Part::kVerb && two.part == Part::kThings && words_.text[one.end] == "." && one.end == one.content + 1) {
+        erase(one.end);
+        return true;
+      }
+      // "the fork. give.", "desk, go"
+      if ((one.part == Part::kThings || one.part == Part::kPlace) && !one.with_preposition && two.part == Part::kVerb &&
+          (words_.text[one.end] == "." || two.end == two.content + 1)) {
         const std::string verb = words_.text[two.content];
         erase(two.content);
         erase(one.end);
@@ -142,7 +159,7 @@ class Filler {
       // "The plate does not belong on the shelf. Counter, please.", "The ice cream is melting! Back in the freezer!"
       if (sentence_start && one.part == Part::kOther && two.part == Part::kPlace && words_.text[one.end] == "." &&
           language_.verb(words_.text[one.content < one.end ? one.content : one.begin]) == Frame::kNone &&
-          words_.text[one.begin] != "wish" && tells(one)) {
+          words_.text[one.begin] != "wish" && (tells(one) || language_.asks(words_.text[one.begin]))) {
         const bool many = std::any_of(words_.plural.begin() + static_cast<long>(one.begin),
                                       words_.plural.begin() + static_cast<long>(one.end), [](bool plural) { return plural; });
         std::vector<std::string> put_it = {"put", many ? "them" : "it"};

@@ -155,6 +155,9 @@ std::string FrameActions::dispatch(const Clause& clause) {
     case Frame::kPlay:
       return play(clause);
     case Frame::kTry:
+      if (at_home_ && clause.first(Role::kDestination) != nullptr && clause.first(Role::kDirect) == nullptr)
+        return go(clause);  // "proceed to the armchair"
+      break;
     case Frame::kNone:
       break;
   }

@@ -62,7 +62,8 @@ std::string FrameActions::take(const Clause& clause) {
       at_home_ && all != nullptr && from != nullptr && all->everything && all->at.empty() && from->pronoun)
     return this->clear(clause);
   // "I want the book on the shelf", "gather the pillows on the couch": put it there, unless that says which
-  const bool there_or_which = clause.wish || clause.verb == "gather" || clause.verb == "collect";
+  const bool there_or_which = clause.wish || clause.verb == "gather" || clause.verb == "collect" ||
+                              (at_home_ && clause.verb == "get" && !clause.to_person);
   const NounPhrase* located_thing = clause.first(Role::kDirect);
   if (at_home_ && clause.wish && located_thing != nullptr && located_thing->at.empty())
     for (const NounPhrase& phrase : clause.phrases)  // "I want the fork and the spoon in the sink"

@@ -57,7 +57,8 @@ std::vector<std::string> Language::within_a_slip(const std::string& word) const 
     const bool replaced = candidate.size() == word.size() && !same_letters(word, candidate);
     const bool doubled = !rewrites_.empty() && without_doubles(word) == without_doubles(candidate);  // "glas"
     found.emplace_back(8 * distance - (doubled ? 3 : 0) + (candidate.front() == word.front() ? 0 : 4) +
-                           (replaced ? 3 : 0) + (filler(candidate) ? 1 : 0),
+                           (replaced ? 3 : 0) + (filler(candidate) ? 1 : 0) -
+                           (hears_people_ && candidate.size() > word.size() ? 1 : 0),
                        candidate);
   }
   std::stable_sort(found.begin(), found.end(),

@@ -33,6 +33,14 @@ void resolve_endings(std::vector<std::string>& words, const Language& language) 
       kept.push_back(words[i]);
       continue;
     }
+    // "armchair 1's pillow" is the one on armchair 1
+    if (i > 1 && number_word(words[i - 1]) > 0 && language.names_something(words[i - 2]) && kept.size() > 1 &&
+        (ends_part(words, i + 1) || language.names_something(words[i + 1]))) {
+      std::string thing = "one";
+      if (!ends_part(words, i + 1)) thing = words[++i];
+      kept.insert(kept.end() - 2, {"the", thing, "on"});
+      continue;
+    }
     if (ends_part(words, i + 1)) continue;
     const std::string& next = words[i + 1];
     const bool noun_next = language.names_something(next);
@@ -93,6 +101,19 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
                        number_word(words[k]) > 0 || language.asks(words[k]) ||
                        language.wanted_by_state(words[k]) != Frame::kNone;
     const bool at_start = begin == 0 || words[begin - 1] == ".";
+    // "tidy the sofa: book to the shelf, bowl to the counter": what comes behind says how
+    static constexpr std::array kTidies = {"tidy"sv, "clean"sv, "clear"sv, "organise"sv, "organize"sv, "sort"sv, "straighten"sv,
+                                           "declutter"sv, "prepare"sv, "set"sv, "arrange"sv, "rearrange"sv, "ready"sv, "fix"sv};
+    std::size_t stop = i + 1;
+    while (stop < words.size() && words[stop] != ".") ++stop;
+    const bool places = std::any_of(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(stop), [](const std::string& w) {
+      return w == "to" || w == "on" || w == "in" || w == "into" || w == "onto";
+    });
+    if (at_start && i > begin && one_of(words[begin], kTidies) && places) {
+      words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
+      i = begin;
+      continue;
+    }
     if (at_start && i > begin && i - begin <= kLongestHeading && !says_something) {
       words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
       i = begin;
@@ -136,6 +157,20 @@ void needs_first(std::vector<std::string>& words) {
         words.erase(words.begin() + static_cast<long>(i));
         break;
       }
+  }
+}
+
+// "the stove is no place for a coke": it should not be there
+void no_places(std::vector<std::string>& words) {
+  for (std::size_t i = 0; i + 4 < words.size(); ++i) {
+    if (words[i] != "is" || words[i + 1] != "no" || words[i + 2] != "place" || words[i + 3] != "for") continue;
+    std::size_t begin = i, end = i + 4;
+    while (begin > 0 && !ends_part(words, begin - 1)) --begin;
+    while (!ends_part(words, end)) ++end;
+    std::vector<std::string> said(words.begin() + static_cast<long>(i) + 4, words.begin() + static_cast<long>(end));
+    said.insert(said.end(), {"should", "not", "be", "on"});
+    said.insert(said.end(), words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i));
+    std::copy(said.begin(), said.end(), words.begin() + static_cast<long>(begin));  // of the same length
   }
 }
 

@@ -18,6 +18,8 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
 void drop_thrown_in(std::vector<std::string>& words, const Language& language);
 // "what this coffee needs is chocolate" -> "this coffee needs chocolate".
 void needs_first(std::vector<std::string>& words);
+// "the stove is no place for a coke" -> "a coke should not be on the stove".
+void no_places(std::vector<std::string>& words);
 // "on the coffee table, snack table I mean" -> "on the coffee table, correction snack table".
 void afterthoughts_first(std::vector<std::string>& words);
 // ", ," and ", ." where something between fell away.

@@ -107,6 +107,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   if (language.hears_people()) {
     drop_thrown_in(text, language);
     needs_first(text);
+    no_places(text);
     afterthoughts_first(text);
   }
   say_plainly(text, language);
