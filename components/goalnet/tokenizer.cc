@@ -109,7 +109,8 @@ Expected<std::vector<std::string>> tokenize(std::string_view sentence, Endings e
       } else if (c == '.' || c == ';' || c == '!' || c == '?') {
         if (words.empty() || words.back() != ".") words.emplace_back(".");
       } else if (c == ',' || c == ':') {
-        const bool heading = endings == Endings::kKept && c == ':' && !is_digit(static_cast<unsigned char>(next));
+        const bool heading =
+            endings == Endings::kKept && c == ':' && !is_digit(static_cast<unsigned char>(next));
         words.emplace_back(heading ? ":" : ",");
       } else if (c == '&' || c == '+') {
         words.emplace_back("and");

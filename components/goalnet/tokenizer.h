@@ -21,7 +21,8 @@ inline constexpr std::size_t kMaxWords = 256;
 // more than kMaxSentenceBytes bytes or kMaxWords words.
 enum class Endings : std::uint8_t {
   kDropped,
-  kKept,  // "the kettle's hot" keeps "'s" as a word of its own: what it stands for, the words around it tell; so does
+  kKept,  // "the kettle's hot" keeps "'s" as a word of its own: what it stands for, the words around it tell;
+          // so does
           // ":" behind a heading
 };
 Expected<std::vector<std::string>> tokenize(std::string_view sentence, Endings endings = Endings::kDropped);

@@ -40,11 +40,11 @@ struct Clause {
 };
 
 struct ParsedSentence {
-  std::vector<Clause> clauses;     // in the order in which they are to be done
-  std::vector<std::string> stray;  // words outside any clause that nobody could read
+  std::vector<Clause> clauses;      // in the order in which they are to be done
+  std::vector<std::string> stray;   // words outside any clause that nobody could read
   std::vector<std::string> passed;  // words of parts that were passed over, as they ask for nothing here
-  bool for_later = false;          // "in an hour, ..."
-  std::string problem;             // why the sentence cannot be a request at all ("if ..."); empty: none
+  bool for_later = false;           // "in an hour, ..."
+  std::string problem;              // why the sentence cannot be a request at all ("if ..."); empty: none
 };
 
 ParsedSentence parse_clauses(const Words& words, const Language& language, const Lexicon& lexicon);

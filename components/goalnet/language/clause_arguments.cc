@@ -142,7 +142,8 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
       return done;
     }
     std::size_t after = done;
-    if (NounPhrase there; language_.hears_people() && reader_.read_place(done, end, there) != done && there.pronoun) {
+    if (NounPhrase there;
+        language_.hears_people() && reader_.read_place(done, end, there) != done && there.pronoun) {
       after = reader_.read_place(done, end, there);  // "with the beer beside it"
       phrase.at = {there};
     }
@@ -158,10 +159,11 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     NounPhrase phrase;
     std::size_t done = reader_.read(i + 1, end, phrase);
     // "two cushions for the sofa", "a scoop for the bowl"
-    const bool puts = clause.frame == Frame::kPlace || clause.frame == Frame::kScoop || clause.frame == Frame::kAdd ||
-                      clause.frame == Frame::kSqueeze || clause.frame == Frame::kPour;
-    if (language_.hears_people() && puts && done != i + 1 && !phrase.person && !phrase.unknown && !phrase.bare() &&
-        !phrase.pronoun && clause.first(Role::kDestination) == nullptr) {
+    const bool puts = clause.frame == Frame::kPlace || clause.frame == Frame::kScoop ||
+                      clause.frame == Frame::kAdd || clause.frame == Frame::kSqueeze ||
+                      clause.frame == Frame::kPour;
+    if (language_.hears_people() && puts && done != i + 1 && !phrase.person && !phrase.unknown &&
+        !phrase.bare() && !phrase.pronoun && clause.first(Role::kDestination) == nullptr) {
       phrase.role = Role::kDestination, phrase.where = Where::kTo;
       clause.phrases.push_back(std::move(phrase));
       return done;

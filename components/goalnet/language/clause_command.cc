@@ -67,10 +67,16 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
       if (next >= end || starts_clause(next, end)) break;
-      if (language_.hears_people() && word == "," && one_of(words_[next], kSubjects) && !one_of(words_[next], kPointers) &&
-          tells(next, part_end(next, end)) && !is_pronoun(words_[next]))
+      if (language_.hears_people() && word == "," && one_of(words_[next], kSubjects) &&
+          !one_of(words_[next], kPointers) && tells(next, part_end(next, end)) && !is_pronoun(words_[next]))
         break;  // "mute, I am on a call"
-      if (language_.hears_people() && number_word(words_[next]) > 0 && next + 1 < end && language_.copula(words_[next + 1]))
+      if (NounPhrase thing, there;
+          language_.hears_people() && word == "," && clause.phrases.empty() && puts_nothing(clause.frame)) {
+        const std::size_t done = reader_.read(next, end, thing);  // "play, xbox on the coffee table"
+        if (done != next && reader_.read_place(done, end, there) != done) break;
+      }
+      if (language_.hears_people() && number_word(words_[next]) > 0 && next + 1 < end &&
+          language_.copula(words_[next + 1]))
         break;  // "burner two, three is broken"
       if (NounPhrase with; language_.hears_people() && words_[next] == "with" && !clause.phrases.empty()) {
         const std::size_t done = reader_.read(next + 1, end, with);  // "..., with the beer beside it"
@@ -79,7 +85,8 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
           continue;
         }
       }
-      if (language_.hears_people() && word == "," && clause.verb == "leave" && words_[next - 1] == "but") break;
+      if (language_.hears_people() && word == "," && clause.verb == "leave" && words_[next - 1] == "but")
+        break;
       if (word == "," && tells_time(next, part_end(next, end))) break;  // "bring the mug, bus in an hour"
       NounPhrase phrase;
       const std::size_t done = reader_.read(next, end, phrase);
@@ -118,7 +125,8 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
           break;
         place = {};
         // "put the mug in the sink and the glass on the counter": the verb counts again
-        if (role == Role::kDestination && phrase.role != Role::kExcept && done < end &&
+        const bool swaps = language_.hears_people() && clause.frame == Frame::kSwap;
+        if (role == Role::kDestination && phrase.role != Role::kExcept && done < end && !swaps &&
             reader_.read_place(done, end, place) != done) {
           Clause again;
           again.mood = clause.mood, again.verb = clause.verb, again.frame = clause.frame,
@@ -154,7 +162,8 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       if (const std::size_t done = reader_.read(i + 1, end, phrase); done != i + 1) {
         phrase.role = Role::kExcept;
         NounPhrase there;  // "not the one on the couch"
-        const std::size_t after = language_.hears_people() && phrase.word == "one" ? reader_.read_place(done, end, there) : done;
+        const std::size_t after =
+            language_.hears_people() && phrase.word == "one" ? reader_.read_place(done, end, there) : done;
         if (after != done) phrase.at.push_back(there);
         clause.phrases.push_back(std::move(phrase));
         i = after;
@@ -221,12 +230,16 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     clause.verb = clause.state;
   }
   // "take a cup to the sink, then take the other one too"
-  if (language_.hears_people() && !clause.words.empty() && clause.words.back() == "too" && clause.mood == Mood::kCommand &&
-      clause.first(Role::kDestination) == nullptr && clause.first(Role::kDirect) != nullptr && !result_.clauses.empty() &&
+  if (language_.hears_people() && !clause.words.empty() && clause.words.back() == "too" &&
+      clause.mood == Mood::kCommand && clause.first(Role::kDestination) == nullptr &&
+      clause.first(Role::kDirect) != nullptr && !result_.clauses.empty() &&
       (clause.frame == Frame::kTake || clause.frame == Frame::kBring || clause.frame == Frame::kPlace)) {
     const Clause& before = result_.clauses.back();
     const NounPhrase* there = before.mood == Mood::kCommand ? before.first(Role::kDestination) : nullptr;
-    if (there != nullptr) clause.phrases.push_back(*there), clause.frame = before.frame, clause.verb = before.verb;
+    const bool same =
+        clause.verb == before.verb || clause.verb == "take" || clause.verb == "put" || clause.verb == "move";
+    if (same && there != nullptr)
+      clause.phrases.push_back(*there), clause.frame = before.frame, clause.verb = before.verb;
   }
   // "the news is on channel 1, put it on"
   if (Clause* told = result_.clauses.empty() ? nullptr : &result_.clauses.back();
@@ -241,10 +254,9 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
                                        [](const Clause& c) { return c.mood == Mood::kCommand; });
   const bool belongs = language_.hears_people() ? last_asked != result_.clauses.rend() && last_asked->belongs
                                                 : !result_.clauses.empty() && result_.clauses.back().belongs;
-  if (belongs &&
-      (clause.has_particle("back") || (language_.hears_people() && !clause.to_person)) &&
-      (clause.frame == Frame::kPlace || (language_.hears_people() && clause.frame == Frame::kBring)) && clause.phrases.size() == 1 && clause.phrases.front().pronoun &&
-      clause.mood == Mood::kCommand)
+  if (belongs && (clause.has_particle("back") || (language_.hears_people() && !clause.to_person)) &&
+      (clause.frame == Frame::kPlace || (language_.hears_people() && clause.frame == Frame::kBring)) &&
+      clause.phrases.size() == 1 && clause.phrases.front().pronoun && clause.mood == Mood::kCommand)
     return i;
   if (clause.frame == Frame::kChange)  // "I wonder what is on channel two, switch over"
     for (Clause& told : result_.clauses)

@@ -61,9 +61,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   NounPhrase place;
   bool polite = false;
   for (const std::string& word : words_)
-    polite =
-        polite || word == "please" || word == "now" || word == "quick" || word == "asap" || word == "thank" ||
-        (word == "thanks" && language_.hears_people());
+    polite = polite || word == "please" || word == "now" || word == "quick" || word == "asap" ||
+             word == "thank" || (word == "thanks" && language_.hears_people());
   const auto only_harmless_from = [&](std::size_t from) {
     std::size_t k = from;
     if (NounPhrase purpose; k < end && words_[k] == "for") {
@@ -78,7 +77,10 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     if (k + 1 < end && words_[k] == "," && words_[k + 1] == "please") polite = true;
     return true;
   };
-  if (language_.hears_people() && subject.word == "one" && words_[at] == "the") {  // "the one on the shelf": of what?
+  if (language_.hears_people() && subject.word == "one" && words_[at] == "the" &&
+      subject.adjectives.empty() &&
+      (!subject.at.empty() ||
+       (i < end && place_preposition(words_[i])))) {  // "the one on the shelf": of what?
     result_.stray.push_back("one");
     return part_end(at, end);
   }
@@ -87,7 +89,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
       if (words_[k] != "not" && !language_.joins(words_[k]) && !harmless(k)) break;
       NounPhrase left_out, there;
       if (words_[k] != "not") continue;
-      const std::size_t done = reader_.read(k + 1, end, left_out), after = reader_.read_place(done, end, there);
+      const std::size_t done = reader_.read(k + 1, end, left_out),
+                        after = reader_.read_place(done, end, there);
       if (done == k + 1 || left_out.person) break;
       if (after != done) left_out.at.push_back(there);
       if (!ends_here(after, end)) break;
@@ -150,10 +153,12 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   if (i + 1 < end && words_[i] == "for") {  // "a pillow for every armchair"
     const std::size_t done = reader_.read(i + 1, end, place, true);
-    const bool holder = language_.hears_people() && !place.unknown && !place.person && (lexicon_->is_place_name(place.phrase) || language_.holds_things(place.phrase));
+    const bool holder = language_.hears_people() && !place.unknown && !place.person &&
+                        (lexicon_->is_place_name(place.phrase) || language_.holds_things(place.phrase));
     if (done != i + 1 && (place.all || holder) && (lexicon_->is_place_name(place.phrase) || holder)) {
       clause.frame = Frame::kPlace, clause.verb = "put";
-      place.role = Role::kDestination, place.where = language_.holds_things(place.phrase) ? Where::kIn : Where::kOn;
+      place.role = Role::kDestination,
+      place.where = language_.holds_things(place.phrase) ? Where::kIn : Where::kOn;
       clause.phrases.push_back(place);
       add(std::move(clause));
       return done;
@@ -221,10 +226,11 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   return std::max(i, at + 1);
 }
 
-// Whether the part, which nobody could read, begins as no request does: with a thing that goes on with words that mean
-// nothing here ("the right one sticks"). A thing alone, or with a place, may be a request.
+// Whether the part, which nobody could read, begins as no request does: with a thing that goes on with words
+// that mean nothing here ("the right one sticks"). A thing alone, or with a place, may be a request.
 bool ClauseParser::says_nothing_here(std::size_t at, std::size_t end) const {
-  if (!language_.hears_people() || language_.english_verb(words_[at]) || !language_.known(words_[at])) return false;
+  if (!language_.hears_people() || language_.english_verb(words_[at]) || !language_.known(words_[at]))
+    return false;
   const std::size_t stop = part_end(at, end);
   NounPhrase subject;
   const std::size_t done = reader_.read(at, stop, subject);

@@ -31,7 +31,8 @@ bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
   const std::size_t name = reader_.name_length(at);
   if (name == 0) return true;
   if (name > 1) return false;
-  if (language_.hears_people() && (words_[at] == "spoon" || words_[at] == "fork") && at + 1 < end && place_preposition(words_[at + 1]))
+  if (language_.hears_people() && (words_[at] == "spoon" || words_[at] == "fork") && at + 1 < end &&
+      place_preposition(words_[at + 1]))
     return false;  // "fork on plate one, spoon on plate two"
   std::size_t next = at + 1;
   while (next < end && (words_[next] == "up" || words_[next] == "out" || words_[next] == "on")) ++next;
@@ -139,8 +140,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   }
   if (word == "at_later") {  // "in an hour, turn the tv off": nobody here keeps time
     const std::size_t next = skip_joins(at + 1, end);
-    const bool behind = at > 0 && words_[at - 1] != "." && words_[at - 1] != "," && !result_.clauses.empty() &&
-                        result_.clauses.back().mood == Mood::kCommand;
+    const bool behind = at > 0 && words_[at - 1] != "." && words_[at - 1] != "," &&
+                        !result_.clauses.empty() && result_.clauses.back().mood == Mood::kCommand;
     if (behind || opens_command(next, end)) for_later();
     return at + 1;
   }
@@ -175,8 +176,10 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   if (NounPhrase subject;
       word == "can" || word == "could" || word == "may" || word == "should" || word == "would") {
     std::size_t done = reader_.read(at + 1, end, subject);
-    for (NounPhrase more; language_.hears_people() && done != at + 1 && done + 1 < end && words_[done] == "and"; more = {}) {
-      const std::size_t after = reader_.read(done + 1, end, more);  // "could the plate and the bowl be set on the table?"
+    for (NounPhrase more;
+         language_.hears_people() && done != at + 1 && done + 1 < end && words_[done] == "and"; more = {}) {
+      const std::size_t after =
+          reader_.read(done + 1, end, more);  // "could the plate and the bowl be set on the table?"
       if (after == done + 1 || more.person) break;
       done = after;
     }
@@ -231,10 +234,12 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     return at + 1;  // "alexa turn the tap on"
   // "share the coffee, pour it into the glass": nobody knows how to share, but what comes next says it
   if (const std::size_t stop = part_end(at, end);
-      language_.hears_people() && (at == 0 || words_[at - 1] == "." || words_[at - 1] == ",") && stop + 1 < end &&
-      words_[stop] == "," && language_.english_verb(word) && language_.verb(word) == Frame::kNone &&
-      reader_.starts(at + 1, stop) && !language_.copula(word) && opens_command(skip_joins(stop, end), end) &&
-      std::any_of(words_.begin() + static_cast<long>(stop), words_.begin() + static_cast<long>(end), is_pronoun)) {
+      language_.hears_people() && (at == 0 || words_[at - 1] == "." || words_[at - 1] == ",") &&
+      stop + 1 < end && words_[stop] == "," && language_.english_verb(word) &&
+      language_.verb(word) == Frame::kNone && reader_.starts(at + 1, stop) && !language_.copula(word) &&
+      opens_command(skip_joins(stop, end), end) &&
+      std::any_of(words_.begin() + static_cast<long>(stop), words_.begin() + static_cast<long>(end),
+                  is_pronoun)) {
     add_told(at, stop);
     return stop;
   }

@@ -17,7 +17,8 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
   while (i < end && !language_.joins(words_[i]) && words_[i] != "so") {
     const std::string& word = words_[i];
     NounPhrase place;
-    if (language_.hears_people() && word == "not" && clause.mood == Mood::kCommand) {  // "..., not on the stove"
+    if (language_.hears_people() && word == "not" &&
+        clause.mood == Mood::kCommand) {  // "..., not on the stove"
       const std::size_t done = reader_.read_place(i + 1, end, place);
       if (done != i + 1) {
         i = done;
@@ -110,15 +111,19 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
       }
     }
     // "the coffee needs a squirt of chocolate", "armchair 4 needs a pillow"
-    const bool needs = language_.hears_people() && i > 0 && (words_[i - 1] == "need" || words_[i - 1] == "want" || words_[i - 1] == "lack");
-    if (NounPhrase thing; needs && desired && !negative && clause.mood == Mood::kStatement && !clause.phrases.empty() &&
-                          !clause.phrases.front().person) {
+    const bool needs = language_.hears_people() && i > 0 &&
+                       (words_[i - 1] == "need" || words_[i - 1] == "want" || words_[i - 1] == "lack");
+    if (NounPhrase thing; needs && desired && !negative && clause.mood == Mood::kStatement &&
+                          !clause.phrases.empty() && !clause.phrases.front().person) {
       const std::size_t done = reader_.read(i, end, thing);
-      if (done != i && !thing.pronoun && !thing.person && !thing.unknown && !thing.bare() && ends_here(done, end)) {
+      if (done != i && !thing.pronoun && !thing.person && !thing.unknown && !thing.bare() &&
+          ends_here(done, end)) {
         NounPhrase holder = clause.phrases.front();
         holder.role = Role::kDestination, holder.where = Where::kTo;
-        const bool dish = language_.holds_things(holder.phrase) || language_.content(holder.phrase) != symbol::kNone;
-        clause.mood = Mood::kCommand, clause.frame = dish ? Frame::kAdd : Frame::kPlace, clause.verb = dish ? "add" : "put";
+        const bool dish =
+            language_.holds_things(holder.phrase) || language_.content(holder.phrase) != symbol::kNone;
+        clause.mood = Mood::kCommand, clause.frame = dish ? Frame::kAdd : Frame::kPlace,
+        clause.verb = dish ? "add" : "put";
         clause.phrases = {thing, holder};
         i = done;
         continue;

@@ -117,7 +117,8 @@ std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
   if (!opens_command(i, end) || language_.wanted_by_state(words_[i]) != Frame::kNone ||
       language_.participle(words_[i]))
     return at;
-  if (language_.hears_people() && language_.verb(words_[i]) == Frame::kPlace && phrases.size() == 1 && ends_here(i + 1, end))
+  if (language_.hears_people() && language_.verb(words_[i]) == Frame::kPlace && phrases.size() == 1 &&
+      ends_here(i + 1, end))
     return at;  // "the right one sticks"
   for (std::size_t k = i + 1; k < end && words_[k] != ","; ++k) {
     NounPhrase more;
@@ -136,10 +137,9 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   if (done >= end && end < words_.size() &&
       std::none_of(result_.clauses.begin(), result_.clauses.end(),
                    [](const Clause& clause) { return clause.mood == Mood::kCommand; }) &&
-      std::any_of(words_.begin() + static_cast<long>(end), words_.end(),
-                  [&](const std::string& word) {
-                    return is_pronoun(word) || (language_.hears_people() && (word == "that" || word == "those"));
-                  })) {
+      std::any_of(words_.begin() + static_cast<long>(end), words_.end(), [&](const std::string& word) {
+        return is_pronoun(word) || (language_.hears_people() && (word == "that" || word == "those"));
+      })) {
     add_told(at, end);
     return end;
   }

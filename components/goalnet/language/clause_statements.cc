@@ -159,8 +159,10 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     if (last_there) break;
     if (language_.copula(words_[done]) || one_of(words_[done], kDesire)) i = done;
   }
-  const bool all_there = there && language_.hears_people() && subjects.size() > 1 && i == named;  // "there is the beer and the coke"
-  if (!all_there && (i == named || !(language_.copula(words_[i]) || one_of(words_[i], kDesire)))) subjects.resize(1);
+  const bool all_there = there && language_.hears_people() && subjects.size() > 1 &&
+                         i == named;  // "there is the beer and the coke"
+  if (!all_there && (i == named || !(language_.copula(words_[i]) || one_of(words_[i], kDesire))))
+    subjects.resize(1);
   // "there is a book on the table that belongs on the shelf"
   if (there && i + 1 < end && (words_[i] == "that" || words_[i] == "which") && one_of(words_[i + 1], kDesire))
     ++i;
@@ -173,12 +175,15 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       desired = verb_seen = true;
     } else if (word == "not" || word == "never") {
       negative = true;
-    } else if (language_.copula(word) || word == "can" || word == "may" || (word == "might" && language_.hears_people())) {
+    } else if (language_.copula(word) || word == "can" || word == "may" ||
+               (word == "might" && language_.hears_people())) {
       // "the bag can be thrown away", "the mug can go in the sink"
       static constexpr std::array kAllows = {"can"sv, "could"sv, "may"sv, "might"sv};
-      static constexpr std::array kHappens = {"be"sv, "go"sv, "come"sv, "get"sv, "sit"sv, "stand"sv, "live"sv};
+      static constexpr std::array kHappens = {"be"sv,  "go"sv,    "come"sv, "get"sv,
+                                              "sit"sv, "stand"sv, "live"sv};
       const bool question = at > 0 && one_of(words_[at - 1], kAllows);
-      if (language_.hears_people() && one_of(word, kAllows) && k + 1 < end && one_of(words_[k + 1], kHappens) && !question)
+      if (language_.hears_people() && one_of(word, kAllows) && k + 1 < end &&
+          one_of(words_[k + 1], kHappens) && !question)
         desired = true;
       verb_seen = true;
     } else if (!(word == "to" && desired && !reader_.starts(k + 1, end)) &&

@@ -93,7 +93,8 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
   while (next < end && words_[next] != "," && !command_begins(next) && !tells_on(next) &&
          !(words_[next] == "and" && opens_command(skip_joins(next, end), end)))
     ++next;
-  if ((reason || word == "where") && language_.hears_people() && next > at + 1) add_told(at + 1, next);  // "it" may mean what is spoken of
+  if ((reason || word == "where") && language_.hears_people() && next > at + 1)
+    add_told(at + 1, next);  // "it" may mean what is spoken of
   return next;
 }
 

@@ -27,9 +27,11 @@ std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
     if (next + 1 < end && words_[next] == "there" && language_.copula(words_[next + 1])) return i;
     if (next < end && (opens_command(next, end) || words_[next] == "wish" || words_[next] == "not")) return i;
     if (NounPhrase subject; language_.hears_people() && next < end) {  // "..., so the bag can be thrown away"
-      static constexpr std::array kModals = {"can"sv, "could"sv, "may"sv, "should"sv, "must"sv, "need"sv, "has"sv, "belong"sv};
+      static constexpr std::array kModals = {"can"sv,  "could"sv, "may"sv, "should"sv,
+                                             "must"sv, "need"sv,  "has"sv, "belong"sv};
       const std::size_t done = reader_.read(next, end, subject);
-      if (done != next && !subject.person && !subject.unknown && done < end && one_of(words_[done], kModals)) return i;
+      if (done != next && !subject.person && !subject.unknown && done < end && one_of(words_[done], kModals))
+        return i;
     }
   }
   return end;

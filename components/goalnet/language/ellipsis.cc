@@ -41,7 +41,8 @@ class Filler {
   bool harmless(std::size_t i) const {
     const std::string& word = words_.text[i];
     return (language_.filler(word) || language_.adverb(word)) && language_.verb(word) == Frame::kNone &&
-           !place_preposition(word) && !is_pronoun(word) && !one_of(word, kPointers) && !one_of(word, kPersons) && !one_of(word, kParticles) && !language_.asks(word);
+           !place_preposition(word) && !is_pronoun(word) && !one_of(word, kPointers) &&
+           !one_of(word, kPersons) && !one_of(word, kParticles) && !language_.asks(word);
   }
 
   Span span(const NounPhraseReader& reader, std::size_t begin, std::size_t end) const {
@@ -134,8 +135,8 @@ class Filler {
         return true;
       }
       // "need coffee. hot.", "coffee, hot, please"
-      if (one.part == Part::kThings && two.content < two.end && one_of(words_.text[two.content], kTemperatures) &&
-          two.end == two.content + 1) {
+      if (one.part == Part::kThings && two.content < two.end &&
+          one_of(words_.text[two.content], kTemperatures) && two.end == two.content + 1) {
         const std::string word = words_.text[two.content];
         erase(two.content);
         erase(one.end);
@@ -143,25 +144,29 @@ class Filler {
         return true;
       }
       // "fetch! the fork!"
-      if (one.part == Part::kVerb && two.part == Part::kThings && words_.text[one.end] == "." && one.end == one.content + 1) {
+      if (one.part == Part::kVerb && two.part == Part::kThings && words_.text[one.end] == "." &&
+          one.end == one.content + 1) {
         erase(one.end);
         return true;
       }
       // "the fork. give.", "desk, go"
-      if ((one.part == Part::kThings || one.part == Part::kPlace) && !one.with_preposition && two.part == Part::kVerb &&
-          (words_.text[one.end] == "." || two.end == two.content + 1)) {
+      if ((one.part == Part::kThings || one.part == Part::kPlace) && !one.with_preposition &&
+          two.part == Part::kVerb && (words_.text[one.end] == "." || two.end == two.content + 1)) {
         const std::string verb = words_.text[two.content];
         erase(two.content);
         erase(one.end);
         insert(one.content, {verb});
         return true;
       }
-      // "The plate does not belong on the shelf. Counter, please.", "The ice cream is melting! Back in the freezer!"
-      if (sentence_start && one.part == Part::kOther && two.part == Part::kPlace && words_.text[one.end] == "." &&
+      // "The plate does not belong on the shelf. Counter, please.", "The ice cream is melting! Back in the
+      // freezer!"
+      if (sentence_start && one.part == Part::kOther && two.part == Part::kPlace &&
+          words_.text[one.end] == "." &&
           language_.verb(words_.text[one.content < one.end ? one.content : one.begin]) == Frame::kNone &&
           words_.text[one.begin] != "wish" && (tells(one) || language_.asks(words_.text[one.begin]))) {
         const bool many = std::any_of(words_.plural.begin() + static_cast<long>(one.begin),
-                                      words_.plural.begin() + static_cast<long>(one.end), [](bool plural) { return plural; });
+                                      words_.plural.begin() + static_cast<long>(one.end),
+                                      [](bool plural) { return plural; });
         std::vector<std::string> put_it = {"put", many ? "them" : "it"};
         if (!two.with_preposition) put_it.emplace_back("to");
         insert(two.content, put_it);

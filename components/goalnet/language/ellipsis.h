@@ -1,5 +1,5 @@
-// What people leave out: "fork. sink." is "fork to sink", "pillows: one on each couch" is "one pillow on each couch",
-// "the fork. give." is "give the fork".
+// What people leave out: "fork. sink." is "fork to sink", "pillows: one on each couch" is "one pillow on each
+// couch", "the fork. give." is "give the fork".
 #pragma once
 
 #include "components/goalnet/language/language.h"

@@ -33,7 +33,8 @@ std::string FrameActions::act(const SymAction& macro) {
   return {};
 }
 
-// What somebody wants held must still be so when the next thing is done: a planner may put it down to free a hand.
+// What somebody wants held must still be so when the next thing is done: a planner may put it down to free a
+// hand.
 void FrameActions::keep_held(SymDelta& step) const {
   constexpr std::size_t kMostHeld = 6;  // two hands and the tray
   if (!at_home_ || step.empty() || taken_.size() > kMostHeld) return;

@@ -101,7 +101,8 @@ FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Prob
     objects = pronoun(it(), sort, {});
   if (objects.empty() && problem.empty()) problem = "it is not clear what to " + clause.verb;
   if (problem.empty()) remember(objects);
-  for (const NounPhrase& phrase : clause.phrases)  // "take the books that are not on the shelf and put them there"
+  for (const NounPhrase& phrase :
+       clause.phrases)  // "take the books that are not on the shelf and put them there"
     for (const NounPhrase& place : phrase.at)
       if (place.negated && !place.bare())
         if (const Objects there = resolver_.options(place, Sort::kPlace, now_); !there.empty())
@@ -213,7 +214,9 @@ void FrameActions::notice(const Clause& clause) {
         if (!place.pronoun && !place.bare() && !place.unknown && !place.negated)
           if (const Objects there = resolver_.options(place, Sort::kPlace, now_); there.size() == 1)
             history_.insert(history_.begin(), there);
-    const bool content = language_.content(phrase.phrase) != kNone && (!phrase.at.empty() || (at_home_ && !objects.empty() && !resolver_.class_of(objects.front())->drink));
+    const bool content =
+        language_.content(phrase.phrase) != kNone &&
+        (!phrase.at.empty() || (at_home_ && !objects.empty() && !resolver_.class_of(objects.front())->drink));
     content_told_ = content ? phrase.phrase : std::string();
     if (phrase.everything) mass_ = objects;
     // "there is stuff on that burner, clear everything from there"

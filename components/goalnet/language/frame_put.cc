@@ -36,7 +36,10 @@ std::string FrameActions::put(const Clause& said) {
   }
   // "load the microwave with the bowl"
   if (const NounPhrase* with = clause.first(Role::kWith), *place = clause.first(Role::kDirect);
-      with != nullptr && place != nullptr && clause.verb == "load" && lexicon_place(*place)) {
+      with != nullptr && place != nullptr && clause.verb == "load" &&
+      (lexicon_place(*place) ||
+       (at_home_ && !place->pronoun && !place->bare() && !resolver_.named(*place).empty() &&
+        resolver_.named(*place).front() == resolver_.xbox()))) {
     for (NounPhrase& phrase : clause.phrases)
       phrase.role = phrase.role == Role::kWith     ? Role::kDirect
                     : phrase.role == Role::kDirect ? Role::kDestination
@@ -100,11 +103,13 @@ std::string FrameActions::put(const Clause& said) {
       return pour(poured);
     }
     // "chocolate sauce on the ice cream"
-    const Objects bottle = thing->pronoun || thing->everything ? Objects{} : resolver_.options(*thing, Sort::kMovable, now_);
+    const Objects bottle =
+        thing->pronoun || thing->everything ? Objects{} : resolver_.options(*thing, Sort::kMovable, now_);
     if (!into.empty() && into.front() == resolver_.ice_cream() && !bottle.empty() &&
         now_.has(Relation::kIsSqueezeable, bottle.front()))
       return add_to(clause);
-    if (thing->phrase == "bag" && !into.empty() && into.front() == kGarbageBin_1 && resolver_.exists(kGarbageBag_1))
+    if (thing->phrase == "bag" && !into.empty() && into.front() == kGarbageBin_1 &&
+        resolver_.exists(kGarbageBag_1))
       for (NounPhrase& phrase : clause.phrases)  // "the bag goes in the bin"
         if (phrase.role == Role::kDirect) phrase.phrase = "garbage bag";
   }
@@ -199,12 +204,20 @@ std::string FrameActions::put(const Clause& said) {
       at_home_ && with != nullptr && !with->at.empty() && with->at.front().pronoun && !objects.empty()) {
     // "put the plate on the table, with the beer beside it"
     const bool on_it = with->at.front().where == Where::kOn || with->at.front().where == Where::kIn;
-    const Objects more = resolver_.chosen(*with, resolver_.options([&] { NounPhrase plain = *with; plain.at.clear(); return plain; }(), Sort::kMovable, now_));
+    const Objects more = resolver_.chosen(*with, resolver_.options(
+                                                     [&] {
+                                                       NounPhrase plain = *with;
+                                                       plain.at.clear();
+                                                       return plain;
+                                                     }(),
+                                                     Sort::kMovable, now_));
     const Symbol target = on_it ? objects.front() : resolver_.place_of(objects.front(), now_);
     if (more.empty()) return unknown_thing(*with, Sort::kMovable);
     if (target == kNone) return "it is not clear where to put " + with->word;
     for (const Symbol object : more)
-      if (problem = keep(object, target, on_it ? with->at.front().where : destination->where); !problem.empty()) return problem;
+      if (problem = keep(object, target, on_it ? with->at.front().where : destination->where);
+          !problem.empty())
+        return problem;
     return {};
   }
   if (const NounPhrase* with = clause.first(Role::kWith);

@@ -39,7 +39,8 @@ std::string FrameActions::put_without_place(const Clause& clause) {
     inside.phrases.back().role = Role::kDestination, inside.phrases.back().where = Where::kIn;
     return put(inside);
   }
-  if (clause.verb == "keep" && at_home_ && !clause.to_person && thing != nullptr && clause.particles.empty()) {
+  if (clause.verb == "keep" && at_home_ && !clause.to_person && thing != nullptr &&
+      clause.particles.empty()) {
     notice(clause);  // "keep the beer"
     return {};
   }
@@ -125,7 +126,8 @@ std::string FrameActions::insert(const Clause& clause) {
       return {};
     }
     // "feed the xbox a disc"
-    if (objects.size() == 2 && objects.front() == resolver_.xbox() && at_home_) return keep(objects[1], objects[0], Where::kIn);
+    if (objects.size() == 2 && objects.front() == resolver_.xbox() && at_home_)
+      return keep(objects[1], objects[0], Where::kIn);
     return "it is not clear where to " + clause.verb + " it";
   }
   NounPhrase inside = *destination;

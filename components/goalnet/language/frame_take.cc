@@ -47,8 +47,9 @@ std::string FrameActions::take(const Clause& clause) {
       return television(clause);  // "give me channel 5"
   }
   // "the second disc in the xbox and the first one on the table": each to its place
-  if (const auto placed = std::count_if(clause.phrases.begin(), clause.phrases.end(),
-                                        [](const NounPhrase& p) { return p.role == Role::kDirect && !p.at.empty(); });
+  if (const auto placed =
+          std::count_if(clause.phrases.begin(), clause.phrases.end(),
+                        [](const NounPhrase& p) { return p.role == Role::kDirect && !p.at.empty(); });
       at_home_ && clause.wish && placed > 1 && clause.first(Role::kDestination) == nullptr) {
     for (const NounPhrase& phrase : clause.phrases) {
       Clause one = clause;
@@ -58,7 +59,7 @@ std::string FrameActions::take(const Clause& clause) {
     return {};
   }
   // "everything off it"
-  if (const NounPhrase *all = clause.first(Role::kDirect), *from = clause.first(Role::kSource);
+  if (const NounPhrase* all = clause.first(Role::kDirect), *from = clause.first(Role::kSource);
       at_home_ && all != nullptr && from != nullptr && all->everything && all->at.empty() && from->pronoun)
     return this->clear(clause);
   // "I want the book on the shelf", "gather the pillows on the couch": put it there, unless that says which
@@ -91,10 +92,10 @@ std::string FrameActions::take(const Clause& clause) {
   }
   // "I want an empty stove"
   if (const NounPhrase* place = clause.first(Role::kDirect);
-      at_home_ && clause.wish && place != nullptr && clause.phrases.size() == 1 && !place->pronoun && !place->bare() &&
-      (place->has("empty") || place->has("free") || place->has("clean")) && resolver_.options(*place, Sort::kMovable, now_).empty() &&
-      !resolver_.options(*place, Sort::kPlace, now_).empty())
-    {
+      at_home_ && clause.wish && place != nullptr && clause.phrases.size() == 1 && !place->pronoun &&
+      !place->bare() && (place->has("empty") || place->has("free") || place->has("clean")) &&
+      resolver_.options(*place, Sort::kMovable, now_).empty() &&
+      !resolver_.options(*place, Sort::kPlace, now_).empty()) {
     Clause cleared = clause;
     cleared.phrases.front().adjectives.clear();
     return this->clear(cleared);
@@ -109,7 +110,7 @@ std::string FrameActions::take(const Clause& clause) {
   if (at_home_ && clause.verb == "give" && !clause.to_person && clause.phrases.size() >= 2 &&
       clause.phrases[0].role == Role::kDirect && clause.phrases[1].role == Role::kDirect) {
     const NounPhrase& receiver = clause.phrases[0];
-    const Objects places = receiver.pronoun ? pronoun(receiver, Sort::kPlace, {})
+    const Objects places = receiver.pronoun  ? pronoun(receiver, Sort::kPlace, {})
                            : receiver.bare() ? Objects{}
                                              : resolver_.options(receiver, Sort::kPlace, now_);
     if (!places.empty() && resolver_.class_of(places.front())->place) {
@@ -122,19 +123,21 @@ std::string FrameActions::take(const Clause& clause) {
     }
   }
   // "hold the glass under the water dispenser"
-  if (const NounPhrase* thing = clause.first(Role::kDirect); at_home_ && thing != nullptr && resolver_.exists(kFridgeButton) &&
-                                                             ((!thing->at.empty() && thing->at.front().where == Where::kUnder) ||
-                                                              (clause.first(Role::kDestination) != nullptr &&
-                                                               clause.first(Role::kDestination)->where == Where::kUnder))) {
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      at_home_ && thing != nullptr && resolver_.exists(kFridgeButton) &&
+      ((!thing->at.empty() && thing->at.front().where == Where::kUnder) ||
+       (clause.first(Role::kDestination) != nullptr &&
+        clause.first(Role::kDestination)->where == Where::kUnder))) {
     const NounPhrase under = thing->at.empty() ? *clause.first(Role::kDestination) : thing->at.front();
-    const Objects tap = under.pronoun ? pronoun(under, Sort::kDevice, {})
+    const Objects tap = under.pronoun  ? pronoun(under, Sort::kDevice, {})
                         : under.bare() ? Objects{}
                                        : resolver_.options(under, Sort::kDevice, now_);
     if (!tap.empty() && (tap.front() == kFridgeButton || tap.front() == kSinkKnob)) {
       Clause filled = clause;
       filled.frame = Frame::kFill, filled.verb = "fill", filled.to_person = false;
       for (NounPhrase& phrase : filled.phrases) phrase.at.clear();
-      std::erase_if(filled.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kDestination; });
+      std::erase_if(filled.phrases,
+                    [](const NounPhrase& phrase) { return phrase.role == Role::kDestination; });
       return fill(filled);
     }
   }
@@ -222,9 +225,11 @@ std::string FrameActions::take(const Clause& clause) {
   const auto objects = direct(located, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
   constexpr std::size_t kMostCarried = 6;  // two hands and the tray
-  if (at_home_ && objects.size() > kMostCarried && located.first(Role::kSource) != nullptr) return this->clear(located);
+  if (at_home_ && objects.size() > kMostCarried && located.first(Role::kSource) != nullptr)
+    return this->clear(located);
   if (at_home_ && objects.size() > kMostCarried)
-    return "that are " + std::to_string(objects.size()) + " things; " + std::to_string(kMostCarried) + " can be carried";
+    return "that are " + std::to_string(objects.size()) + " things; " + std::to_string(kMostCarried) +
+           " can be carried";
   for (const Symbol object : objects)
     if (problem = take_up(object); !problem.empty()) return problem;
   return {};

@@ -72,10 +72,12 @@ std::string FrameActions::fill(const Clause& said) {
     }
     if (with->has("everything") || with->pronoun) return "it is not clear what to fill it with";
     // "the coffee needs a squirt of chocolate"
-    const bool sprinkled = at_home_ && (content == kSalt || content == kChocolate || content == kVanilla || content == kRamen || content == kEgg);
+    const bool sprinkled = at_home_ && (content == kSalt || content == kChocolate || content == kVanilla ||
+                                        content == kRamen || content == kEgg);
     bool done = content != kNone;
     for (const Symbol vessel : vessels)
-      if (problem = content != kNone && !sprinkled ? fill_one(vessel, content) : add_content(*with, vessel, done);
+      if (problem =
+              content != kNone && !sprinkled ? fill_one(vessel, content) : add_content(*with, vessel, done);
           !problem.empty())
         return problem;
     return done ? Problem{} : "it is not known how to fill something with " + with->word;
@@ -175,7 +177,8 @@ std::string FrameActions::pour(const Clause& clause) {
     targets = {last_destination_.front()};
     if (thing == nullptr || thing->pronoun) {
       bool full = false;
-      for (Symbol c = kWater; c <= kEgg; ++c) full = full || (now_.is(targets.front(), c) && !start_.is(targets.front(), c));
+      for (Symbol c = kWater; c <= kEgg; ++c)
+        full = full || (now_.is(targets.front(), c) && !start_.is(targets.front(), c));
       if (full) return {};  // it is done already
     }
   }

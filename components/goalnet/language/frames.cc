@@ -66,8 +66,10 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
         forbids     ? "the sentence forbids something but asks for nothing"
         : only_asks ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
                     : "there is no verb that a robot could act on";
-    if (!sentence.stray.empty()) problem += "; " + language_.unknown_word(sentence.stray.front());
-    else if (!sentence.passed.empty()) problem += "; " + language_.unknown_word(sentence.passed.front());
+    if (!sentence.stray.empty())
+      problem += "; " + language_.unknown_word(sentence.stray.front());
+    else if (!sentence.passed.empty())
+      problem += "; " + language_.unknown_word(sentence.passed.front());
     result.problems.push_back(problem);
     return result;
   }

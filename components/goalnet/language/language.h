@@ -67,8 +67,8 @@ class Language {
   // small words, ways of saying the same, states, wishes, other words for known ones. Fails with
   // kInvalidRequest.
   Expected<void> add_english(std::string_view json, const std::string& name);
-  // Adds how people talk besides (config/language/talk.json): the same sections, all of them optional, and rewrites as
-  // patterns (see PhraseRules) over "groups". Fails with kInvalidRequest.
+  // Adds how people talk besides (config/language/talk.json): the same sections, all of them optional, and
+  // rewrites as patterns (see PhraseRules) over "groups". Fails with kInvalidRequest.
   Expected<void> add_talk(std::string_view json, const std::string& name);
   // Whether it is a robot's, that people talk to: what only people in a room say is read too.
   bool hears_people() const { return hears_people_; }

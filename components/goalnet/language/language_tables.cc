@@ -173,18 +173,29 @@ Expected<void> Language::add_talk(std::string_view text, const std::string& name
         return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
       for (const auto& word : words) verbs_[word.get<std::string>()] = frame;
     }
-    const json inflected = file.value("inflected", json::object()), states = file.value("states", json::object()),
-               wishes = file.value("wishes", json::object()), groups = file.value("groups", json::object()),
-               mistaken = file.value("mistaken", json::object()), rewrites = file.value("rewrites", json::array());
+    const json inflected = file.value("inflected", json::object()),
+               states = file.value("states", json::object()), wishes = file.value("wishes", json::object()),
+               groups = file.value("groups", json::object()),
+               mistaken = file.value("mistaken", json::object()),
+               rewrites = file.value("rewrites", json::array());
     for (const auto& [form, base] : inflected.items()) inflected_[form] = base.get<std::string>();
-    for (const auto& [word, meant] : mistaken.items()) mistaken_[word] = meant.get<std::vector<std::string>>();
-    words_of("fillers", fillers_), words_of("known", seen_), words_of("people", people_), words_of("people", seen_);
+    for (const auto& [word, meant] : mistaken.items())
+      mistaken_[word] = meant.get<std::vector<std::string>>();
+    words_of("fillers", fillers_), words_of("known", seen_), words_of("people", people_),
+        words_of("people", seen_);
     words_of("no_adverbs", no_adverbs_);
-    for (const auto& [word, entry] : states.items()) add_state(word, entry.value("wanted", ""),
-                                                                entry.value("complaint", ""), entry.value("opposite", ""));
+    for (const auto& [word, entry] : states.items())
+      add_state(word, entry.value("wanted", ""), entry.value("complaint", ""), entry.value("opposite", ""));
     for (const auto& [word, command] : wishes.items())
       wishes_[word] = split_words(command.get_ref<const std::string&>());
-    collect_vocabulary();  // typing errors are mended to these words, but not to those of the patterns
+    // Typing errors are mended to these words, but not to those of the patterns.
+    for (const auto& [word, frame] : verbs_) vocabulary_.push_back(word);
+    for (const auto& [word, base] : inflected_) vocabulary_.push_back(word);
+    for (const auto& [word, state] : states_) vocabulary_.push_back(word);
+    for (const auto& [word, wish] : wishes_) vocabulary_.push_back(word);
+    vocabulary_.insert(vocabulary_.end(), fillers_.begin(), fillers_.end());
+    std::sort(vocabulary_.begin(), vocabulary_.end());
+    vocabulary_.erase(std::unique(vocabulary_.begin(), vocabulary_.end()), vocabulary_.end());
     PhraseRules::Groups phrases;
     for (const auto& [group, members] : groups.items())
       for (const auto& member : members)

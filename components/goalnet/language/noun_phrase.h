@@ -28,19 +28,19 @@ struct NounPhrase {
   int ordinal = 0;                      // "second" -> 2; 0 when not said
   int number = 0;                       // "pillow 4": the number in its name
   bool pronoun = false, plural = false;
-  bool all = false;          // all, every, each, both
-  bool some = false;         // some, a few
-  bool everything = false;   // "everything", "the rest": things without a name
-  bool rest = false;         // "the rest", "the others": what was not spoken of yet
-  bool person = false;       // me, us, you: no thing
-  bool hand = false;         // "in your hand"
-  bool scoop = false;        // "a scoop of"
-  bool alternative = false;  // after "or": only if the one before cannot be had
-  bool vague = false;        // an adjective that nothing here can tell ("shiny")
-  bool joined = false;       // follows "and" after a place: "in the sink and the glass"
+  bool all = false;                 // all, every, each, both
+  bool some = false;                // some, a few
+  bool everything = false;          // "everything", "the rest": things without a name
+  bool rest = false;                // "the rest", "the others": what was not spoken of yet
+  bool person = false;              // me, us, you: no thing
+  bool hand = false;                // "in your hand"
+  bool scoop = false;               // "a scoop of"
+  bool alternative = false;         // after "or": only if the one before cannot be had
+  bool vague = false;               // an adjective that nothing here can tell ("shiny")
+  bool joined = false;              // follows "and" after a place: "in the sink and the glass"
   bool filled_with_things = false;  // "a bowl of chips"
-  bool negated = false;      // of a place: not there
-  bool unknown = false;      // `word` names nothing that is known
+  bool negated = false;             // of a place: not there
+  bool unknown = false;             // `word` names nothing that is known
 
   bool has(std::string_view adjective) const;
   bool bare() const { return phrase.empty() && !pronoun && !everything; }

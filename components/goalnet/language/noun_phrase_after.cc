@@ -65,7 +65,8 @@ std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhras
     return k;
   }
   NounPhrase place;
-  if (language_.hears_people() && k > i && k < end && words_.text[k] == "not") {  // "that are not on the shelf"
+  if (language_.hears_people() && k > i && k < end &&
+      words_.text[k] == "not") {  // "that are not on the shelf"
     const std::size_t done = read_place(k + 1, end, place);
     if (done != k + 1 && !place.hand && !place.person) {
       place.negated = true;

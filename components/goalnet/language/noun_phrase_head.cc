@@ -47,7 +47,8 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
       phrase.number = number_word(words_.text[i]);
       ++i;
     }
-    const bool furniture = language_.hears_people() && lexicon_.is_place_name(phrase.phrase) && !last_thing_.empty();
+    const bool furniture =
+        language_.hears_people() && lexicon_.is_place_name(phrase.phrase) && !last_thing_.empty();
     (in_place_ || furniture ? last_place_ : last_thing_) = phrase.phrase;
     return after(i, end, phrase);
   }
@@ -57,7 +58,8 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     return after(i + 1, end, phrase);
   }
   // "the instant ones", "the tall one": the word makes another name of what was spoken of
-  if (language_.hears_people() && i + 1 < end && words_.text[i + 1] == "one" && determined && !one().empty()) {
+  if (language_.hears_people() && i + 1 < end && words_.text[i + 1] == "one" && determined &&
+      !one().empty()) {
     const std::string last = one().substr(one().rfind(' ') == std::string::npos ? 0 : one().rfind(' ') + 1);
     if (lexicon_.is_name(word + " " + last)) {
       phrase.phrase = word + " " + last, phrase.word = phrase.phrase, phrase.plural = words_.plural[i + 1];
@@ -123,7 +125,9 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
   }
   if ((phrase.ordinal > 0 || !phrase.adjectives.empty()) && !one().empty() &&
       (place_preposition(word) || language_.joins(word) ||
-       (language_.hears_people() && (language_.copula(word) || one_of(word, kDesire))))) {  // "the second on the shelf", "and the other in"
+       (language_.hears_people() &&
+        (language_.copula(word) ||
+         one_of(word, kDesire))))) {  // "the second on the shelf", "and the other in"
     phrase.phrase = phrase.word = one();
     return i;
   }

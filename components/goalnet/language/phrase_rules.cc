@@ -5,9 +5,9 @@
 namespace goalnet::inference {
 namespace {
 
-constexpr int kMostRewrites = 1000;          // in one sentence
-constexpr std::size_t kMostWays = 20000;     // of one pattern
-constexpr std::size_t kLooksBack = 4;        // words: what was just written may be part of a longer phrase
+constexpr int kMostRewrites = 1000;       // in one sentence
+constexpr std::size_t kMostWays = 20000;  // of one pattern
+constexpr std::size_t kLooksBack = 4;     // words: what was just written may be part of a longer phrase
 
 std::vector<std::string> parts(const std::string& text, char at) {
   std::vector<std::string> result;
@@ -61,7 +61,8 @@ Expected<void> PhraseRules::add_pattern(const Phrase& from, const Phrase& to, co
         }
     }
     ways = std::move(longer);
-    if (ways.size() > kMostWays) return fail(Outcome::kInvalidRequest, "a pattern has too many ways to be read");
+    if (ways.size() > kMostWays)
+      return fail(Outcome::kInvalidRequest, "a pattern has too many ways to be read");
   }
   for (const Way& way : ways) {
     if (way.words.empty()) return fail(Outcome::kInvalidRequest, "a pattern may match no word at all");
@@ -93,7 +94,8 @@ std::vector<std::string> PhraseRules::apply(std::vector<std::string> words, std:
       ++i;
       continue;
     }
-    const auto at = words.erase(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(i + length));
+    const auto at =
+        words.erase(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(i + length));
     words.insert(at, to->begin(), to->end());
     i = i < kLooksBack ? 0 : i - kLooksBack;
   }

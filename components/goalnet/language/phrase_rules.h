@@ -18,9 +18,9 @@ class PhraseRules {
 
   // Of two rules for the same words the first added counts.
   void add(const Phrase& from, Phrase to);
-  // Adds one rule for each way to read `from`: "a|b" is either, "a|" may be left out, "a+b" are two words, "$n" is any
-  // phrase of that group and stands for the same one in `to`. Fails with kInvalidRequest: an unknown group, too many
-  // ways, nothing left to match.
+  // Adds one rule for each way to read `from`: "a|b" is either, "a|" may be left out, "a+b" are two words,
+  // "$n" is any phrase of that group and stands for the same one in `to`. Fails with kInvalidRequest: an
+  // unknown group, too many ways, nothing left to match.
   Expected<void> add_pattern(const Phrase& from, const Phrase& to, const Groups& groups);
   // Replaces the longest phrase that fits at each word; the result is never longer than `most` words.
   std::vector<std::string> apply(std::vector<std::string> words, std::size_t most) const;

@@ -27,7 +27,7 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   std::unique_ptr<RobotLanguage> robot(new RobotLanguage(symbols));
   constexpr int kFiles = 6;
   std::string texts[kFiles], paths[kFiles];
-  const char* names[kFiles] = {"language/household.json", "language/english.json", "language/words.json",
+  const char* names[kFiles] = {"language/household.json",  "language/english.json", "language/words.json",
                                "language/confidence.json", "language/kinds.json",   "language/talk.json"};
   for (int i = 0; i < kFiles; ++i) {
     paths[i] = config_path(names[i]);
@@ -105,7 +105,9 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   for (std::size_t begin = 0; begin < tokens.size();) {
     std::size_t end = begin;
     while (end < tokens.size() && tokens[end] != "." && tokens[end] != ",") ++end;
-    if (!names_nothing(tokens, begin, end)) kept.insert(kept.end(), tokens.begin() + static_cast<long>(begin), tokens.begin() + static_cast<long>(std::min(end + 1, tokens.size())));
+    if (!names_nothing(tokens, begin, end))
+      kept.insert(kept.end(), tokens.begin() + static_cast<long>(begin),
+                  tokens.begin() + static_cast<long>(std::min(end + 1, tokens.size())));
     begin = end + 1;
   }
   if (kept.size() == tokens.size() || kept.empty()) return reading;
@@ -118,17 +120,21 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
 }
 
 // Whether nothing of this place, nothing to do and no "not" or "if" is spoken of.
-bool RobotLanguage::names_nothing(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end) const {
+bool RobotLanguage::names_nothing(const std::vector<std::string>& tokens, std::size_t begin,
+                                  std::size_t end) const {
   static constexpr std::array<std::string_view, 44> kTurns = {
-      "not", "no", "never", "dont", "without", "except", "instead", "or", "if", "unless", "before", "after", "until", "till",
-      "then", "hour", "hours", "minutes", "minute", "mins", "tomorrow", "oclock", "pm", "am", "noon", "midnight", "later", "when", "whenever",
-      "every", "week", "day", "monday", "weekend", "tonight", "it", "them", "that", "those", "both", "one", "all", "rest", "other"};
+      "not",    "no",       "never",    "dont",   "without", "except", "instead", "or",       "if",
+      "unless", "before",   "after",    "until",  "till",    "then",   "hour",    "hours",    "minutes",
+      "minute", "mins",     "tomorrow", "oclock", "pm",      "am",     "noon",    "midnight", "later",
+      "when",   "whenever", "every",    "week",   "day",     "monday", "weekend", "tonight",  "it",
+      "them",   "that",     "those",    "both",   "one",     "all",    "rest",    "other"};
   for (std::size_t i = begin; i < end; ++i) {
     const std::string& word = tokens[i];
     const std::string stem = singular(word);
     if (language_->meaningful(word) || language_->meaningful(stem) || lexicon_->is_word_of_name(stem) ||
         language_->may_be_a_slip(word) || std::find(kTurns.begin(), kTurns.end(), word) != kTurns.end() ||
-        language_->wanted_by_state(word) != Frame::kNone || language_->wish(word) != nullptr || word.size() > 20)
+        language_->wanted_by_state(word) != Frame::kNone || language_->wish(word) != nullptr ||
+        word.size() > 20)
       return false;
   }
   return end > begin;

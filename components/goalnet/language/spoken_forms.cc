@@ -22,11 +22,12 @@ bool ends_part(const std::vector<std::string>& words, std::size_t i) {
 void resolve_endings(std::vector<std::string>& words, const Language& language) {
   // Behind these "'s" is a verb; before a name it says whose.
   static constexpr std::array kBehindIs = {
-      "a"sv,     "an"sv,    "the"sv,     "too"sv,    "so"sv,    "very"sv,   "really"sv, "just"sv,  "still"sv,
-      "all"sv,   "been"sv,  "gone"sv,    "got"sv,    "going"sv, "not"sv,    "already"sv, "always"sv, "never"sv,
-      "now"sv,   "on"sv,    "in"sv,      "at"sv,     "off"sv,   "over"sv,   "out"sv,    "up"sv,    "under"sv,
-      "by"sv,    "near"sv,  "here"sv,    "there"sv,  "about"sv, "quite"sv,  "way"sv,    "only"sv,  "no"sv,
-      "beside"sv, "behind"sv, "lying"sv, "sitting"sv, "standing"sv, "done"sv, "had"sv,  "become"sv, "getting"sv};
+      "a"sv,        "an"sv,    "the"sv,   "too"sv,    "so"sv,     "very"sv,   "really"sv, "just"sv,
+      "still"sv,    "all"sv,   "been"sv,  "gone"sv,   "got"sv,    "going"sv,  "not"sv,    "already"sv,
+      "always"sv,   "never"sv, "now"sv,   "on"sv,     "in"sv,     "at"sv,     "off"sv,    "over"sv,
+      "out"sv,      "up"sv,    "under"sv, "by"sv,     "near"sv,   "here"sv,   "there"sv,  "about"sv,
+      "quite"sv,    "way"sv,   "only"sv,  "no"sv,     "beside"sv, "behind"sv, "lying"sv,  "sitting"sv,
+      "standing"sv, "done"sv,  "had"sv,   "become"sv, "getting"sv};
   std::vector<std::string> kept;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] != "'s") {
@@ -45,8 +46,8 @@ void resolve_endings(std::vector<std::string>& words, const Language& language) 
     const std::string& next = words[i + 1];
     const bool noun_next = language.names_something(next);
     const bool noun_behind = i + 2 < words.size() && language.names_something(words[i + 2]);
-    const bool state = language.wanted_by_state(next) != Frame::kNone || language.complaint(next) != Frame::kNone ||
-                       language.wish(next) != nullptr;
+    const bool state = language.wanted_by_state(next) != Frame::kNone ||
+                       language.complaint(next) != Frame::kNone || language.wish(next) != nullptr;
     const bool verb_form = (next.size() > 4 && (next.ends_with("ing") || next.ends_with("ed"))) ||
                            (language.participle(next) && !noun_next);
     // "this coffee's ancient, ...": of a word behind which the part ends
@@ -59,23 +60,23 @@ void resolve_endings(std::vector<std::string>& words, const Language& language) 
 
 void expand_contractions(std::vector<std::string>& words) {
   static constexpr std::array<std::array<std::string_view, 3>, 18> kForms = {{{"im", "i", "am"},
-                                                                             {"ive", "i", "have"},
-                                                                             {"id", "i", "would"},
-                                                                             {"youre", "you", "are"},
-                                                                             {"youve", "you", "have"},
-                                                                             {"youd", "you", "would"},
-                                                                             {"theyre", "they", "are"},
-                                                                             {"theyve", "they", "have"},
-                                                                             {"weve", "we", "have"},
-                                                                             {"itd", "it", "would"},
-                                                                             {"itll", "it", "will"},
-                                                                             {"thatd", "that", "would"},
-                                                                             {"thatll", "that", "will"},
-                                                                             {"hes", "he", "is"},
-                                                                             {"shes", "she", "is"},
-                                                                             {"thats", "that", "is"},
-                                                                             {"theres", "there", "is"},
-                                                                             {"whats", "what", "is"}}};
+                                                                              {"ive", "i", "have"},
+                                                                              {"id", "i", "would"},
+                                                                              {"youre", "you", "are"},
+                                                                              {"youve", "you", "have"},
+                                                                              {"youd", "you", "would"},
+                                                                              {"theyre", "they", "are"},
+                                                                              {"theyve", "they", "have"},
+                                                                              {"weve", "we", "have"},
+                                                                              {"itd", "it", "would"},
+                                                                              {"itll", "it", "will"},
+                                                                              {"thatd", "that", "would"},
+                                                                              {"thatll", "that", "will"},
+                                                                              {"hes", "he", "is"},
+                                                                              {"shes", "she", "is"},
+                                                                              {"thats", "that", "is"},
+                                                                              {"theres", "there", "is"},
+                                                                              {"whats", "what", "is"}}};
   std::vector<std::string> whole;
   for (const std::string& word : words) {
     const auto form = std::find_if(kForms.begin(), kForms.end(), [&](const auto& f) { return f[0] == word; });
@@ -97,18 +98,21 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
     while (begin > 0 && !ends_part(words, begin - 1)) --begin;
     bool says_something = false;
     for (std::size_t k = begin; k < i; ++k)
-      says_something = says_something || language.meaningful(words[k]) || language.meaningful(singular(words[k])) ||
-                       number_word(words[k]) > 0 || language.asks(words[k]) ||
-                       language.wanted_by_state(words[k]) != Frame::kNone;
+      says_something = says_something || language.meaningful(words[k]) ||
+                       language.meaningful(singular(words[k])) || number_word(words[k]) > 0 ||
+                       language.asks(words[k]) || language.wanted_by_state(words[k]) != Frame::kNone;
     const bool at_start = begin == 0 || words[begin - 1] == ".";
     // "tidy the sofa: book to the shelf, bowl to the counter": what comes behind says how
-    static constexpr std::array kTidies = {"tidy"sv, "clean"sv, "clear"sv, "organise"sv, "organize"sv, "sort"sv, "straighten"sv,
-                                           "declutter"sv, "prepare"sv, "set"sv, "arrange"sv, "rearrange"sv, "ready"sv, "fix"sv};
+    static constexpr std::array kTidies = {
+        "tidy"sv,      "clean"sv,   "clear"sv, "organise"sv, "organize"sv,  "sort"sv,  "straighten"sv,
+        "declutter"sv, "prepare"sv, "set"sv,   "arrange"sv,  "rearrange"sv, "ready"sv, "fix"sv};
     std::size_t stop = i + 1;
     while (stop < words.size() && words[stop] != ".") ++stop;
-    const bool places = std::any_of(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(stop), [](const std::string& w) {
-      return w == "to" || w == "on" || w == "in" || w == "into" || w == "onto";
-    });
+    const bool places =
+        std::any_of(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(stop),
+                    [](const std::string& w) {
+                      return w == "to" || w == "on" || w == "in" || w == "into" || w == "onto";
+                    });
     if (at_start && i > begin && one_of(words[begin], kTidies) && places) {
       words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
       i = begin;
@@ -132,8 +136,8 @@ void drop_thrown_in(std::vector<std::string>& words, const Language& language) {
     const std::string& word = words[i];
     if (language.adverb(word) && words.size() > 1) continue;
     // "could you please bring": found as "could you bring"
-    if ((word == "please" || word == "kindly" || word == "pls" || word == "plz") && i > 0 && !ends_part(words, i - 1) &&
-        !ends_part(words, i + 1) && words[i - 1] != "and") {
+    if ((word == "please" || word == "kindly" || word == "pls" || word == "plz") && i > 0 &&
+        !ends_part(words, i - 1) && !ends_part(words, i + 1) && words[i - 1] != "and") {
       std::size_t end = i + 1;
       while (!ends_part(words, end)) ++end;
       bool verb = false;
@@ -163,11 +167,13 @@ void needs_first(std::vector<std::string>& words) {
 // "the stove is no place for a coke": it should not be there
 void no_places(std::vector<std::string>& words) {
   for (std::size_t i = 0; i + 4 < words.size(); ++i) {
-    if (words[i] != "is" || words[i + 1] != "no" || words[i + 2] != "place" || words[i + 3] != "for") continue;
+    if (words[i] != "is" || words[i + 1] != "no" || words[i + 2] != "place" || words[i + 3] != "for")
+      continue;
     std::size_t begin = i, end = i + 4;
     while (begin > 0 && !ends_part(words, begin - 1)) --begin;
     while (!ends_part(words, end)) ++end;
-    std::vector<std::string> said(words.begin() + static_cast<long>(i) + 4, words.begin() + static_cast<long>(end));
+    std::vector<std::string> said(words.begin() + static_cast<long>(i) + 4,
+                                  words.begin() + static_cast<long>(end));
     said.insert(said.end(), {"should", "not", "be", "on"});
     said.insert(said.end(), words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i));
     std::copy(said.begin(), said.end(), words.begin() + static_cast<long>(begin));  // of the same length
@@ -176,7 +182,8 @@ void no_places(std::vector<std::string>& words) {
 
 void afterthoughts_first(std::vector<std::string>& words) {
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
-    if (words[i] != "i" || (words[i + 1] != "mean" && words[i + 1] != "meant") || !ends_part(words, i + 2)) continue;
+    if (words[i] != "i" || (words[i + 1] != "mean" && words[i + 1] != "meant") || !ends_part(words, i + 2))
+      continue;
     std::size_t begin = i;
     while (begin > 0 && !ends_part(words, begin - 1)) --begin;
     if (begin == i || begin == 0) continue;

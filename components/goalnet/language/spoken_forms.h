@@ -8,7 +8,8 @@ namespace goalnet::inference {
 
 class Language;
 
-// "the kettle 's empty" -> "the kettle is empty"; "mum 's mug" -> "mum mug". See Endings::kKept of the tokenizer.
+// "the kettle 's empty" -> "the kettle is empty"; "mum 's mug" -> "mum mug". See Endings::kKept of the
+// tokenizer.
 void resolve_endings(std::vector<std::string>& words, const Language& language);
 // "id like" -> "i would like", "im thirsty" -> "i am thirsty".
 void expand_contractions(std::vector<std::string>& words);

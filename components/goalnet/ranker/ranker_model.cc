@@ -83,8 +83,7 @@ Expected<Goal> RankerModel::do_infer(const StepInput& input) {
 }
 
 RankerModel::Decoded RankerModel::decode(const StepInput& input) {
-  const auto words =
-      *tokenize(input.sentence, use_ == ModelUse::kRobot ? Endings::kKept : Endings::kDropped);
+  const auto words = *tokenize(input.sentence, use_ == ModelUse::kRobot ? Endings::kKept : Endings::kDropped);
   // Things that the lexicon does not list are known by their names from here on.
   for (const std::string& object : input.states.front().objects)
     if (const Symbol symbol = parts_.symbols.intern(object); symbol != kNone)

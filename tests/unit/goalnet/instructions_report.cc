@@ -1,6 +1,7 @@
 // How a file of instructions fares, sentence by sentence: what was refused and why, what was done instead.
 //   goalnet_instructions_report FILE [--all]
-// FILE: lines of room, sentence, goal (or REFUSE; empty: only tell what is done), changes to the start state; by tabs.
+// FILE: lines of room, sentence, goal (or REFUSE; empty: only tell what is done), changes to the start state;
+// by tabs.
 #include <cstdio>
 #include <cstring>
 
@@ -34,10 +35,14 @@ void report(InstructionRunner& runner, std::vector<std::string> row, bool all, C
   else
     ++counts.sensible, counts.reached += good, counts.refused += run.refused;
   if (good && !all && !row[2].empty()) return;
-  std::printf("%s  %s | %s\n", good ? "ok     " : run.refused ? "REFUSED" : "WRONG  ", row[0].c_str(),
-              row[1].c_str());
+  std::printf("%s  %s | %s\n",
+              good          ? "ok     "
+              : run.refused ? "REFUSED"
+                            : "WRONG  ",
+              row[0].c_str(), row[1].c_str());
   if (!row[2].empty()) std::printf("         wanted: %s\n", row[2].c_str());
-  std::printf("         %s%s%s\n", run.refused ? "" : "did:", run.refused ? "" : changes(world.facts, run.facts).c_str(),
+  std::printf("         %s%s%s\n",
+              run.refused ? "" : "did:", run.refused ? "" : changes(world.facts, run.facts).c_str(),
               run.message.empty() ? "" : (" (" + run.message + ")").c_str());
 }
 
@@ -51,9 +56,9 @@ int main(int argc, char** argv) {
     Counts counts;
     for (const auto& row : read_rows(argv[1]))
       if (row.size() > 1) report(runner, row, argc > 2 && std::strcmp(argv[2], "--all") == 0, counts);
-    std::printf("sensible: %d of %d reached, %d refused, %d wrong; nonsense: %d of %d refused\n", counts.reached,
-                counts.sensible, counts.refused, counts.sensible - counts.reached - counts.refused,
-                counts.nonsense_refused, counts.nonsense);
+    std::printf("sensible: %d of %d reached, %d refused, %d wrong; nonsense: %d of %d refused\n",
+                counts.reached, counts.sensible, counts.refused,
+                counts.sensible - counts.reached - counts.refused, counts.nonsense_refused, counts.nonsense);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
