@@ -32,7 +32,7 @@ void report(InstructionRunner& runner, std::vector<std::string> row, bool all, C
   const bool good = nonsense ? run.refused : !run.refused && reached(row[2], run.facts);
   if (nonsense)
     ++counts.nonsense, counts.nonsense_refused += run.refused;
-  else
+  else if (!row[2].empty())
     ++counts.sensible, counts.reached += good, counts.refused += run.refused;
   if (good && !all && !row[2].empty()) return;
   std::printf("%s  %s | %s\n",
