@@ -32,6 +32,10 @@ class ClauseParser {
   std::size_t forbidden(std::size_t at, std::size_t end);
   std::size_t ensured(std::size_t at, std::size_t end);
   std::size_t done_that(std::size_t at, std::size_t end);
+  // "no pillows on the armchairs"; "does the tv have to be on?": what should not be so. `at` where it is
+  // none.
+  std::size_t none_there(std::size_t at, std::size_t end);
+  std::size_t has_to_be(std::size_t at, std::size_t end);
   std::size_t hint(std::size_t at, std::size_t end);
   std::size_t wish_to(std::size_t at, std::size_t end);
   // Parts that ask for nothing: "my back is killing me", "bedtime, kids". They return `at` where it is none.

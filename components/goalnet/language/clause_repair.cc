@@ -204,9 +204,14 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   }
   // a command with "it", or "water in", follows
   const std::size_t next = done + 1;
-  if (next < end && words_[next] != "wish" && !opens_command(skip_joins(next, end), end) && !named_only)
+  // "the plates, they go in the sink"
+  const bool subject_again = language_.hears_people() && next + 1 < end &&
+                             (words_[next] == "it" || words_[next] == "they" || words_[next] == "them") &&
+                             (one_of(words_[next + 1], kDesire) || words_[next + 1] == "all");
+  if (next < end && words_[next] != "wish" && !opens_command(skip_joins(next, end), end) && !named_only &&
+      !subject_again)
     return at;
-  bool refers = false;
+  bool refers = subject_again;
   for (std::size_t i = next; i < end && words_[i] != ","; ++i)
     refers = refers || words_[i] == "it" ||
              ((words_[i] == "all" || words_[i] == "both") &&

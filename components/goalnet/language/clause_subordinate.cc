@@ -52,6 +52,11 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
     return skip_part(at, end);
   }
   if (word == "before" || word == "after" || word == "once" || word == "when") {
+    // "after that run", "before the match"
+    if (language_.hears_people() && at + 2 < end &&
+        (one_of(words_[at + 1], kArticles) || one_of(words_[at + 1], kPointers)) &&
+        language_.verb(words_[at + 2]) != Frame::kNone && (at + 3 == end || words_[at + 3] == ","))
+      return at + 3;
     std::size_t verb = at + 1;
     while (verb < end && !opens_command(verb, end) &&
            (harmless(verb) || words_[verb] == "you" || words_[verb] == "have"))

@@ -9,6 +9,48 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
+std::size_t ClauseParser::none_there(std::size_t at, std::size_t end) {
+  while (language_.hears_people() && at + 1 < end &&
+         (words_[at] == "," || words_[at] == "so" || words_[at] == "and") && words_[at + 1] == "no")
+    ++at;
+  if (!language_.hears_people() || words_[at] != "no" || at + 1 >= end || reader_.name_length(at + 1) == 0)
+    return at;
+  NounPhrase things, place;
+  const std::size_t done = reader_.read(at + 1, end, things);
+  const std::size_t after = reader_.read_place(done, end, place);
+  if (done == at + 1 || after == done || things.unknown || place.unknown || place.person || place.hand ||
+      !(ends_here(after, end) || one_of(words_[after], kSubordinate)))
+    return at;
+  Clause clause;
+  clause.frame = Frame::kClear, clause.verb = "clear";
+  things.role = Role::kDirect, things.all = true;
+  place.role = Role::kSource, place.all = place.number == 0 && place.ordinal == 0;
+  clause.phrases = {std::move(things), std::move(place)};
+  add(std::move(clause));
+  return after;
+}
+
+std::size_t ClauseParser::has_to_be(std::size_t at, std::size_t end) {
+  const bool asks = words_[at] == "does" || words_[at] == "do" || words_[at] == "must";
+  if (!language_.hears_people() || !asks || at + 1 >= end) return at;
+  NounPhrase subject;
+  std::size_t i = reader_.read(at + 1, end, subject);
+  if (i == at + 1 || subject.person) return at;
+  bool must = words_[at] == "must";
+  while (i < end && (harmless(i) || words_[i] == "have" || words_[i] == "need" || words_[i] == "to")) {
+    must = must || words_[i] == "have" || words_[i] == "need";
+    ++i;
+  }
+  if (!must || i + 1 >= end || !(words_[i] == "be" || words_[i] == "stay" || words_[i] == "stand")) return at;
+  ++i;
+  while (i < end && (words_[i] == "so" || words_[i] == "that" || words_[i] == "always")) ++i;
+  Clause clause;
+  clause.mood = Mood::kStatement;
+  clause.phrases = {std::move(subject)};
+  add(std::move(clause));
+  return predicate(i, end, result_.clauses.back(), true, true);
+}
+
 // "do not open the fridge", "without the spoon", "never mind the mess".
 std::size_t ClauseParser::forbidden(std::size_t at, std::size_t end) {
   const std::string& word = words_[at];

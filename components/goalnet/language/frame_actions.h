@@ -2,6 +2,7 @@
 // ones did.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,8 @@ class FrameActions {
   Problem keep(Symbol x, Symbol y, Where where);
   Problem dispatch(const Clause& clause);
   bool holds(const Clause& statement, Problem& problem);
+  // Whether it is on, open, full, ... now; nothing for states that no fact tells.
+  std::optional<bool> is_so(Symbol object, const std::string& state) const;
 
   // frame_moves.cc: carrying things about
   Problem go(const Clause& clause);

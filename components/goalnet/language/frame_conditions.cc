@@ -39,6 +39,26 @@ std::string FrameActions::check_forbidden(const Clause& clause, const SymState& 
   return {};
 }
 
+std::optional<bool> FrameActions::is_so(Symbol object, const std::string& state) const {
+  const bool runs = at_home_ && language_.complaint(state) == Frame::kStop;
+  if (state == "on" || state == "running" || state == "lit" || state == "burning" || runs)
+    return is_on(object);
+  if (state == "off") return !is_on(object);
+  if (state == "open" || state == "closed" || state == "shut") {
+    const bool open = object == kFridge
+                          ? now_.is(kFridge, kLeftDoorIsOpen) || now_.is(kFridge, kRightDoorIsOpen)
+                      : object == kMicrowave ? now_.is(kMicrowave, kDoorIsOpen)
+                                             : now_.is(object, kIsOpen);
+    return open == (state == "open");
+  }
+  if (at_home_ && resolver_.is_vessel(object) && (state == "full" || state == "filled" || state == "empty")) {
+    bool full = false;
+    for (Symbol content = kWater; content <= kEgg; ++content) full = full || now_.is(object, content);
+    return full == (state != "empty");
+  }
+  return std::nullopt;
+}
+
 // Whether "the tap is on", "the mug is in the sink" is so now.
 bool FrameActions::holds(const Clause& statement, Problem& problem) {
   const NounPhrase& subject = statement.phrases.front();
@@ -50,7 +70,13 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
     problem = unknown_thing(subject, Sort::kAny);
     return false;
   }
-  const Symbol object = objects.front();
+  Symbol object = objects.front();
+  if (at_home_)  // "if one of the burners is on"
+    for (const Symbol other : objects)
+      if (is_so(other, statement.state).value_or(false)) {
+        object = other;
+        break;
+      }
   bool so = true;
   if (!subject.at.empty()) {
     const int loose = resolver_.doubts().loose;
@@ -66,17 +92,8 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
     if (!vessels.empty()) so = now_.is(vessels.front(), content);
   }
   const std::string& state = statement.state;
-  const bool runs = language_.complaint(state) == Frame::kStop;
-  if (state == "on" || state == "running" || state == "lit" || state == "burning" || (runs && at_home_)) {
-    so = is_on(object);
-  } else if (state == "off") {
-    so = !is_on(object);
-  } else if (state == "open" || state == "closed" || state == "shut") {
-    const bool open = object == kFridge
-                          ? now_.is(kFridge, kLeftDoorIsOpen) || now_.is(kFridge, kRightDoorIsOpen)
-                      : object == kMicrowave ? now_.is(kMicrowave, kDoorIsOpen)
-                                             : now_.is(object, kIsOpen);
-    so = open == (state == "open");
+  if (const auto is_now = is_so(object, state)) {
+    so = *is_now;
   } else if (!state.empty()) {
     NounPhrase as_said = plain;
     as_said.adjectives.push_back(state == "filled" ? "full" : state);

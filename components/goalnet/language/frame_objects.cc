@@ -205,9 +205,19 @@ void FrameActions::notice(const Clause& clause) {
     if (phrase.role != Role::kDirect || phrase.pronoun || phrase.bare() || phrase.unknown) continue;
     // what stands where the sentence says counts, not everything of that name
     Objects objects = resolver_.options(phrase, Sort::kAny, now_);
+    if (at_home_ && !clause.negative)  // "one of the burners is on": the one that is
+      std::stable_partition(objects.begin(), objects.end(),
+                            [&](Symbol object) { return is_so(object, clause.state).value_or(true); });
     if (!phrase.everything && !phrase.plural && !phrase.all && objects.size() > 1)
       objects.erase(objects.begin() + 1, objects.end());
     if (!objects.empty()) history_.push_back(objects), ++told;
+    // "one plate is in the microwave, put the other one there": not that one, and there
+    if (at_home_ && clause.mood == Mood::kStatement && phrase.at.size() == 1 && !phrase.at.front().negated) {
+      resolver_.remember(objects);
+      if (const NounPhrase& place = phrase.at.front(); !place.pronoun && !place.bare() && !place.unknown)
+        if (const Objects there = resolver_.options(place, Sort::kPlace, now_); !there.empty())
+          last_destination_ = {there.front()};
+    }
     together.insert(together.end(), objects.begin(), objects.end());
     if (at_home_)
       for (const NounPhrase& place : phrase.at)
@@ -216,7 +226,7 @@ void FrameActions::notice(const Clause& clause) {
             history_.insert(history_.begin(), there);
     const bool content =
         language_.content(phrase.phrase) != kNone &&
-        (!phrase.at.empty() || (at_home_ && !objects.empty() && !resolver_.class_of(objects.front())->drink));
+        (at_home_ ? !objects.empty() && !resolver_.class_of(objects.front())->drink : !phrase.at.empty());
     content_told_ = content ? phrase.phrase : std::string();
     if (phrase.everything) mass_ = objects;
     // "there is stuff on that burner, clear everything from there"

@@ -10,6 +10,26 @@ using namespace symbol;
 
 std::string FrameActions::put(const Clause& said) {
   Clause clause = said;
+  // "bring the book on the shelf": where one is on the shelf, that says which
+  if (const NounPhrase* thing = clause.first(Role::kDirect), *place = clause.first(Role::kDestination);
+      at_home_ && clause.frame == Frame::kBring && (clause.verb == "bring" || clause.verb == "fetch") &&
+      clause.phrases.size() == 2 && thing != nullptr && place != nullptr && clause.particles.empty() &&
+      !thing->pronoun && !thing->bare() && !thing->everything && !thing->has("other") && !thing->rest &&
+      !place->pronoun && !place->bare() && !place->has("other") &&
+      (place->where == Where::kOn || place->where == Where::kIn) && !clause.has("onto") &&
+      !clause.has("into") && !clause.has("a") && !clause.has("another")) {
+    NounPhrase located = *thing;
+    located.at.push_back(*place);
+    const int loose = resolver_.doubts().loose;
+    const auto there = resolver_.options(located, Sort::kMovable, now_);
+    const bool which = !there.empty() && resolver_.doubts().loose == loose;
+    resolver_.doubts().loose = loose;
+    if (which) {
+      clause.phrases = {located};
+      clause.frame = Frame::kTake, clause.to_person = true;
+      return take(clause);
+    }
+  }
   // "put the mug in the sink and the glass too": what is joined to a place, but is none, is moved as well
   bool first_place = true;
   for (NounPhrase& phrase : clause.phrases) {

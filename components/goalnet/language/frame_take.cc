@@ -200,6 +200,7 @@ std::string FrameActions::take(const Clause& clause) {
     const Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
     const bool canned = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
     const bool drink = content == kWater || content == kCoffee ||
+                       (at_home_ && content == kIceCream && !thing->content.empty()) ||
                        (canned && !thing->content.empty());  // "a glass of coke", not "a can of coke"
     const bool hot =
         content == kCoffee && (thing->has("hot") || thing->has("warm"));  // "let me have a hot coffee"

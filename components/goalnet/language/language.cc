@@ -73,6 +73,8 @@ bool Language::names_something(const std::string& word) const {
   return verbs_.contains(word) || lexicon_->is_name(word) || lexicon_->is_name(singular(word));
 }
 
+bool Language::names_place(const std::string& phrase) const { return lexicon_->is_place_name(phrase); }
+
 bool Language::small_word(const std::string& word) const {
   static constexpr std::array kSmall = {"the"sv, "on"sv, "off"sv, "in"sv,     "into"sv, "it"sv, "to"sv,
                                         "up"sv,  "my"sv, "and"sv, "please"sv, "onto"sv, "me"sv};

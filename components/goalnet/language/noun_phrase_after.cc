@@ -98,7 +98,9 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       i = done;
       continue;
     }
-    if ((word == "that" || word == "which" || word == "who" || word == "where") && i + 1 < end) {
+    const bool what_is = language_.hears_people() && word == "what" && !phrase.bare() && i + 1 < end &&
+                         one_of(words_.text[i + 1], kLying);  // "the pillow what is on the shelf"
+    if ((word == "that" || word == "which" || word == "who" || word == "where" || what_is) && i + 1 < end) {
       std::size_t k = i + 1;
       if (words_.text[k] == "belong" || words_.text[k] == "should" || words_.text[k] == "goe" ||
           words_.text[k] == "need")

@@ -102,6 +102,31 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
                        language.meaningful(singular(words[k])) || number_word(words[k]) > 0 ||
                        language.asks(words[k]) || language.wanted_by_state(words[k]) != Frame::kNone;
     const bool at_start = begin == 0 || words[begin - 1] == ".";
+    // "snack table: chips + bowl": that is where they go
+    std::string heading;
+    for (std::size_t k = begin; k < i; ++k) heading += (k > begin ? " " : "") + words[k];
+    if (at_start && language.names_place(heading)) {
+      std::size_t things_end = i + 1;
+      bool only_things = i + 1 < words.size();
+      for (; things_end < words.size() && words[things_end] != "."; ++things_end) {
+        const std::string& word = words[things_end];
+        only_things = only_things && word != ":" && word != "off" && !place_preposition(word) &&
+                      (language.verb(word) == Frame::kNone || language.names_something(singular(word))) &&
+                      language.wanted_by_state(word) == Frame::kNone;
+      }
+      if (only_things && things_end > i + 1) {
+        std::vector<std::string> said = {"put"};
+        said.insert(said.end(), words.begin() + static_cast<long>(i) + 1,
+                    words.begin() + static_cast<long>(things_end));
+        said.insert(said.end(), {"to", "the"});
+        said.insert(said.end(), words.begin() + static_cast<long>(begin),
+                    words.begin() + static_cast<long>(i));
+        words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(things_end));
+        words.insert(words.begin() + static_cast<long>(begin), said.begin(), said.end());
+        i = begin + said.size() - 1;
+        continue;
+      }
+    }
     // "tidy the sofa: book to the shelf, bowl to the counter": what comes behind says how
     static constexpr std::array kTidies = {
         "tidy"sv,      "clean"sv,   "clear"sv, "organise"sv, "organize"sv,  "sort"sv,  "straighten"sv,
@@ -178,6 +203,23 @@ void no_places(std::vector<std::string>& words) {
     said.insert(said.end(), words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i));
     std::copy(said.begin(), said.end(), words.begin() + static_cast<long>(begin));  // of the same length
   }
+}
+
+// "not the coke, the beer": the beer is wanted
+void not_but(std::vector<std::string>& words) {
+  constexpr std::size_t kLongest = 5;
+  std::size_t i = 0;
+  while (i < words.size() && (words[i] == "no" || words[i] == ",")) ++i;  // "no, not the coke, ..."
+  if (i + 4 >= words.size() || words[i] != "not" || !one_of(words[i + 1], word_group::kArticles)) return;
+  std::size_t end = i + 1;
+  while (end < words.size() && !ends_part(words, end) && words[end] != "but") ++end;
+  std::size_t next = end;
+  while (next < words.size() && (words[next] == "," || words[next] == "but")) ++next;
+  if (end > i + kLongest || next == end || next >= words.size() ||
+      !one_of(words[next], word_group::kArticles))
+    return;
+  words.erase(words.begin(), words.begin() + static_cast<long>(next));
+  words.insert(words.begin(), "wish");
 }
 
 void afterthoughts_first(std::vector<std::string>& words) {

@@ -21,6 +21,8 @@ void drop_thrown_in(std::vector<std::string>& words, const Language& language);
 void needs_first(std::vector<std::string>& words);
 // "the stove is no place for a coke" -> "a coke should not be on the stove".
 void no_places(std::vector<std::string>& words);
+// "not the coke, the beer" -> "wish the beer".
+void not_but(std::vector<std::string>& words);
 // "on the coffee table, snack table I mean" -> "on the coffee table, correction snack table".
 void afterthoughts_first(std::vector<std::string>& words);
 // ", ," and ", ." where something between fell away.

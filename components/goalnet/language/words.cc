@@ -109,6 +109,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     needs_first(text);
     no_places(text);
     afterthoughts_first(text);
+    not_but(text);
   }
   say_plainly(text, language);
   // Rules may speak of where a sentence begins and ends.
