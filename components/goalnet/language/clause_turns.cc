@@ -37,7 +37,8 @@ std::size_t ClauseParser::has_to_be(std::size_t at, std::size_t end) {
   std::size_t i = reader_.read(at + 1, end, subject);
   if (i == at + 1 || subject.person) return at;
   bool must = words_[at] == "must";
-  while (i < end && (harmless(i) || words_[i] == "have" || words_[i] == "need" || words_[i] == "to")) {
+  while (i < end && words_[i] != "be" && words_[i] != "stay" && words_[i] != "stand" &&
+         (harmless(i) || words_[i] == "have" || words_[i] == "need" || words_[i] == "to")) {
     must = must || words_[i] == "have" || words_[i] == "need";
     ++i;
   }

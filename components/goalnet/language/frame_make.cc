@@ -105,6 +105,7 @@ std::string FrameActions::make(const Clause& clause) {
     bool done = false;
     if (problem = add_content(phrase, vessel, done); !problem.empty()) return problem;
   }
+  if (at_home_ && clause.frame == Frame::kTake) return take_up(vessel);  // "bring me a bowl of ice cream"
   return {};
 }
 

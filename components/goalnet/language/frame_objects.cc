@@ -118,6 +118,10 @@ FrameActions::Objects FrameActions::places(const NounPhrase& phrase, const Objec
                                            std::size_t wanted, Problem& problem) {
   if (phrase.pronoun) {
     Objects there = pronoun(phrase, Sort::kPlace, for_these);
+    // "one plate is in the microwave, put the other one in": not into the plate
+    if (at_home_ && !there.empty() && !for_these.empty() && !last_destination_.empty() &&
+        resolver_.class_of(there.front()) == resolver_.class_of(for_these.front()))
+      there = last_destination_;
     if (there.empty() && problem.empty()) problem = "it is not clear where \"" + phrase.word + "\" is";
     return there;
   }
