@@ -95,6 +95,18 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         continue;
       }
     }
+    // "one of the cups has water in it"
+    if (NounPhrase content; language_.hears_people() && !desired && clause.mood == Mood::kStatement &&
+                            !clause.phrases.empty() && clause.phrases.front().content.empty() &&
+                            language_.holds_things(clause.phrases.front().phrase)) {
+      const std::size_t done = reader_.read(i, end, content);
+      if (done != i && done + 1 < end && (words_[done] == "in" || words_[done] == "inside") &&
+          is_pronoun(words_[done + 1]) && language_.content(content.phrase) != symbol::kNone && !negative) {
+        clause.phrases.front().content = content.phrase;
+        i = done + 2;
+        continue;
+      }
+    }
     // "every armchair should have a pillow on it", "every cup needs a spoon in it"
     if (NounPhrase thing;
         desired && !negative && clause.mood == Mood::kStatement && !clause.phrases.empty()) {

@@ -1,6 +1,7 @@
 // What is said beside the clause itself: corrections ("no wait, the fork") and topics ("the fork, bring it to
 // me").
 #include <algorithm>
+#include <array>
 
 #include "components/goalnet/language/clause_parser.h"
 #include "components/goalnet/language/word_groups.h"
@@ -203,7 +204,10 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
     }
   }
   // a command with "it", or "water in", follows
-  const std::size_t next = done + 1;
+  std::size_t next = done + 1;
+  static constexpr std::array kYes = {"yes"sv, "yeah"sv, "yep"sv, "yup"sv, "aye"sv, "okay"sv, "ok"sv};
+  while (language_.hears_people() && next + 2 < end && one_of(words_[next], kYes) && words_[next + 1] == ",")
+    next += 2;  // "the book on the shelf, yes, I need it"
   // "the plates, they go in the sink"
   const bool subject_again = language_.hears_people() && next + 1 < end &&
                              (words_[next] == "it" || words_[next] == "they" || words_[next] == "them") &&

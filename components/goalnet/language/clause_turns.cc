@@ -10,15 +10,18 @@ namespace goalnet::inference {
 using namespace word_group;
 
 std::size_t ClauseParser::none_there(std::size_t at, std::size_t end) {
-  while (language_.hears_people() && at + 1 < end &&
-         (words_[at] == "," || words_[at] == "so" || words_[at] == "and") && words_[at + 1] == "no")
-    ++at;
-  if (!language_.hears_people() || words_[at] != "no" || at + 1 >= end || reader_.name_length(at + 1) == 0)
+  std::size_t no = at;
+  while (no < end && words_[no] != "no" &&
+         (words_[no] == "so" || language_.joins(words_[no]) ||
+          (language_.filler(words_[no]) && !reader_.starts(no, end))))
+    ++no;
+  const std::size_t from = no + 1 < end && words_[no + 1] == "more" ? no + 2 : no + 1;
+  if (!language_.hears_people() || from >= end || words_[no] != "no" || reader_.name_length(from) == 0)
     return at;
   NounPhrase things, place;
-  const std::size_t done = reader_.read(at + 1, end, things);
+  const std::size_t done = reader_.read(from, end, things);
   const std::size_t after = reader_.read_place(done, end, place);
-  if (done == at + 1 || after == done || things.unknown || place.unknown || place.person || place.hand ||
+  if (done == from || after == done || things.unknown || place.unknown || place.person || place.hand ||
       !(ends_here(after, end) || one_of(words_[after], kSubordinate)))
     return at;
   Clause clause;

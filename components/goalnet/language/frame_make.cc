@@ -105,7 +105,9 @@ std::string FrameActions::make(const Clause& clause) {
     bool done = false;
     if (problem = add_content(phrase, vessel, done); !problem.empty()) return problem;
   }
-  if (at_home_ && clause.frame == Frame::kTake) return take_up(vessel);  // "bring me a bowl of ice cream"
+  // "bring me a bowl of ice cream"; with a topping both hands and the tray are full already
+  const bool brought = clause.frame == Frame::kTake || clause.frame == Frame::kBring;
+  if (at_home_ && brought && clause.first(Role::kWith) == nullptr) return take_up(vessel);
   return {};
 }
 

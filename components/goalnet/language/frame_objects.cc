@@ -208,7 +208,12 @@ void FrameActions::notice(const Clause& clause) {
             history_.push_back({there.front()});
     if (phrase.role != Role::kDirect || phrase.pronoun || phrase.bare() || phrase.unknown) continue;
     // what stands where the sentence says counts, not everything of that name
-    Objects objects = resolver_.options(phrase, Sort::kAny, now_);
+    NounPhrase located = phrase;
+    if (at_home_ && clause.mood == Mood::kStatement && clause.frame == Frame::kPlace && phrase.at.empty())
+      for (const NounPhrase& place : clause.phrases)  // "I have put one plate in the microwave": that one
+        if (place.role == Role::kDestination && !place.pronoun && !place.bare() && !place.unknown)
+          located.at.push_back(place);
+    Objects objects = resolver_.options(located, Sort::kAny, now_);
     if (at_home_ && !clause.negative)  // "one of the burners is on": the one that is
       std::stable_partition(objects.begin(), objects.end(),
                             [&](Symbol object) { return is_so(object, clause.state).value_or(true); });
@@ -216,9 +221,10 @@ void FrameActions::notice(const Clause& clause) {
       objects.erase(objects.begin() + 1, objects.end());
     if (!objects.empty()) history_.push_back(objects), ++told;
     // "one plate is in the microwave, put the other one there": not that one, and there
-    if (at_home_ && clause.mood == Mood::kStatement && phrase.at.size() == 1 && !phrase.at.front().negated) {
+    if (at_home_ && clause.mood == Mood::kStatement && located.at.size() == 1 &&
+        !located.at.front().negated) {
       resolver_.remember(objects);
-      if (const NounPhrase& place = phrase.at.front(); !place.pronoun && !place.bare() && !place.unknown)
+      if (const NounPhrase& place = located.at.front(); !place.pronoun && !place.bare() && !place.unknown)
         if (const Objects there = resolver_.options(place, Sort::kPlace, now_); !there.empty())
           last_destination_ = {there.front()};
     }

@@ -89,6 +89,7 @@ std::string FrameActions::put(const Clause& said) {
   if (destination == nullptr && thing != nullptr)
     for (NounPhrase& phrase : clause.phrases)
       if (phrase.role == Role::kWith && !phrase.bare() && !phrase.pronoun &&
+          !(at_home_ && !thing->content.empty()) &&  // "a bowl of ice cream with syrup"
           !resolver_.options(phrase, Sort::kMovable, now_).empty()) {
         const Symbol beside = resolver_.options(phrase, Sort::kMovable, now_).front();
         const bool rubbish =

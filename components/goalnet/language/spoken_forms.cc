@@ -208,18 +208,25 @@ void no_places(std::vector<std::string>& words) {
 // "not the coke, the beer": the beer is wanted
 void not_but(std::vector<std::string>& words) {
   constexpr std::size_t kLongest = 5;
-  std::size_t i = 0;
-  while (i < words.size() && (words[i] == "no" || words[i] == ",")) ++i;  // "no, not the coke, ..."
-  if (i + 4 >= words.size() || words[i] != "not" || !one_of(words[i + 1], word_group::kArticles)) return;
-  std::size_t end = i + 1;
-  while (end < words.size() && !ends_part(words, end) && words[end] != "but") ++end;
-  std::size_t next = end;
-  while (next < words.size() && (words[next] == "," || words[next] == "but")) ++next;
-  if (end > i + kLongest || next == end || next >= words.size() ||
-      !one_of(words[next], word_group::kArticles))
-    return;
-  words.erase(words.begin(), words.begin() + static_cast<long>(next));
-  words.insert(words.begin(), "wish");
+  for (std::size_t begin = 0; begin < words.size(); ++begin) {
+    if (begin > 0 && words[begin - 1] != ".") continue;
+    std::size_t i = begin;
+    while (i < words.size() && (words[i] == "no" || words[i] == "," || words[i] == "wait"))
+      ++i;  // "no, not the coke, ..."
+    if (i + 4 >= words.size() || words[i] != "not" || !one_of(words[i + 1], word_group::kArticles)) continue;
+    std::size_t end = i + 1;
+    while (end < words.size() && !ends_part(words, end) && words[end] != "but") ++end;
+    std::size_t next = end;
+    while (next < words.size() && (words[next] == "," || words[next] == "but")) ++next;
+    if (end > i + kLongest || next == end || next >= words.size() ||
+        !one_of(words[next], word_group::kArticles))
+      continue;
+    words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(next));
+    if (begin == 0)
+      words.insert(words.begin(), "wish");
+    else  // of what was asked in the sentence before
+      words.insert(words.begin() + static_cast<long>(begin), {"no", ","});
+  }
 }
 
 void afterthoughts_first(std::vector<std::string>& words) {
