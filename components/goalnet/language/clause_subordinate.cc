@@ -22,9 +22,10 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
     const std::size_t done = inner.statement(at + 1, stop);
     if (done >= stop && inner.result_.stray.empty() && inner.result_.clauses.size() == 1) {
       Clause clause = inner.result_.clauses.front();
-      const bool says = !clause.state.empty() ||
-                        (!clause.phrases.empty() &&
-                         (!clause.phrases.front().at.empty() || !clause.phrases.front().content.empty()));
+      const bool says =
+          !clause.state.empty() || (!clause.phrases.empty() &&
+                                    (!clause.phrases.front().at.empty() ||
+                                     (language_.hears_people() && !clause.phrases.front().content.empty())));
       if (clause.mood == Mood::kStatement && clause.frame == Frame::kNone && says) {
         clause.negative = clause.negative != (word == "unless");
         if (count > 0 && stop >= end)

@@ -63,7 +63,8 @@ std::optional<bool> FrameActions::is_so(Symbol object, const std::string& state)
 bool FrameActions::holds(const Clause& statement, Problem& problem) {
   const NounPhrase& subject = statement.phrases.front();
   NounPhrase plain = subject;
-  plain.at.clear(), plain.content.clear();
+  plain.at.clear();
+  if (at_home_) plain.content.clear();
   const Objects objects =
       subject.pronoun ? pronoun(subject, Sort::kAny, {}) : resolver_.options(plain, Sort::kAny, now_);
   if (objects.empty()) {
@@ -78,7 +79,8 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
         break;
       }
   bool so = true;
-  if (const Symbol content = language_.content(subject.content); content != kNone) {  // "has coffee in it"
+  if (const Symbol content = language_.content(subject.content);
+      at_home_ && content != kNone) {  // "has coffee in it"
     const auto with =
         std::find_if(objects.begin(), objects.end(), [&](Symbol other) { return now_.is(other, content); });
     so = with != objects.end();
