@@ -30,6 +30,18 @@ struct Array : std::span<T> {
   }
 };
 
+// Huge pages where the system has them; all sizes in bytes and multiples of kHuge, null where the system has
+// no more.
+struct Pages {
+  static constexpr std::size_t kHuge = 2u << 20;
+  static constexpr std::size_t kHeapMost = kHuge / 2;  // what is no larger is better off on the heap
+  static std::size_t whole(std::size_t bytes) { return (bytes + kHuge - 1) / kHuge * kHuge; }
+  static void* map(std::size_t bytes);
+  // To a range of `bytes`, more than before; the contents go along without being copied.
+  static void* move(void* pages, std::size_t before, std::size_t bytes);
+  static void unmap(void* pages, std::size_t bytes);
+};
+
 // Not thread-safe. Moving it moves the memory; what points into it stays valid.
 class Arena {
  public:

@@ -1,6 +1,7 @@
 #include "components/planner/goal_mutex.h"
 
 #include <algorithm>
+#include <span>
 
 namespace goalnet::planner {
 namespace {
@@ -10,13 +11,25 @@ Pair ordered(Literal a, Literal b) { return a < b ? Pair{a, b} : Pair{b, a}; }
 
 class Prover {
  public:
-  Prover(const GroundTask& task, Budget& budget)
-      : task_(task), budget_(budget), producers_(task.needed.size()) {
-    for (std::size_t a = 0; a < task.actions.size() && !budget.poll(); ++a) {
-      for (const GroundEffect& effect : task.effects_of(task.actions[a])) {
-        producers_[static_cast<std::size_t>(effect.literal)].push_back(static_cast<std::int32_t>(a));
-      }
+  Prover(const GroundTask& task, Budget& budget) : task_(task), budget_(budget) {
+    for (std::size_t i = 0; i <= task.needed.size(); ++i) {
+      if (budget.poll()) return;
+      begin_.push_back(0);
     }
+    const auto each = [&](const auto& visit) {
+      for (std::size_t a = task.actions.size(); a-- > 0 && !budget.poll();) {
+        for (const GroundEffect& effect : task.effects_of(task.actions[a]))
+          visit(static_cast<std::size_t>(effect.literal), static_cast<std::int32_t>(a));
+      }
+    };
+    each([&](std::size_t literal, std::int32_t) { ++begin_[literal]; });
+    std::uint32_t total = 0;
+    for (std::uint32_t& end : begin_) {
+      if (budget.poll()) return;
+      end = total += end;
+    }
+    actions_.resize_for_overwrite(total);
+    each([&](std::size_t literal, std::int32_t action) { actions_[--begin_[literal]] = action; });
   }
 
   // Assumes the pair and all that its proof needs, until nothing is left to show or something fails.
@@ -36,6 +49,11 @@ class Prover {
  private:
   static constexpr std::size_t kMostPairs = 64;
 
+  // In the order of the actions.
+  std::span<const std::int32_t> producers(Literal literal) const {
+    const auto i = static_cast<std::size_t>(literal);
+    return {actions_.data() + begin_[i], begin_[i + 1] - begin_[i]};
+  }
   bool initially(Literal literal) const {
     return (task_.initial[static_cast<std::size_t>(literal >> 1)] != 0) == ((literal & 1) == 0);
   }
@@ -51,7 +69,7 @@ class Prover {
 
   // No action that produces p leaves q true.
   bool step(Literal p, Literal q) {
-    for (const std::int32_t a : producers_[static_cast<std::size_t>(p)]) {
+    for (const std::int32_t a : producers(p)) {
       if (budget_.poll()) return false;
       const GroundAction& action = task_.actions[static_cast<std::size_t>(a)];
       bool destroys = false, produces = false;
@@ -81,7 +99,7 @@ class Prover {
 
   // Every producer of r destroys q at once: the cheap sufficient look before assuming.
   bool plausible(Literal r, Literal q) const {
-    const auto& makers = producers_[static_cast<std::size_t>(r)];
+    const auto makers = producers(r);
     return !makers.empty() && std::all_of(makers.begin(), makers.end(), [&](std::int32_t a) {
       const auto effects = task_.effects_of(task_.actions[static_cast<std::size_t>(a)]);
       return std::any_of(effects.begin(), effects.end(), [&](const GroundEffect& effect) {
@@ -92,7 +110,8 @@ class Prover {
 
   const GroundTask& task_;
   Budget& budget_;
-  std::vector<std::vector<std::int32_t>> producers_;
+  Growing<std::uint32_t> begin_;  // by literal: first of its producers in actions_
+  Growing<std::int32_t> actions_;
   std::vector<Pair> assumed_, open_;
 };
 

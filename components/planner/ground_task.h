@@ -11,6 +11,7 @@
 #include "components/planner/atom_table.h"
 #include "components/planner/compiled_domain.h"
 #include "components/planner/derivation.h"
+#include "components/planner/growing.h"
 
 namespace goalnet::planner {
 
@@ -46,22 +47,22 @@ struct GroundAxiom {
 
 struct GroundTask {
   AtomTable atoms;
-  std::vector<std::uint8_t> initial;  // by atom
-  std::vector<std::uint8_t> changes;  // by atom: some action changes it
-  std::vector<std::uint8_t> needed;   // by literal
-  std::vector<GroundAction> actions;
-  std::vector<ObjectId> bindings;
-  std::vector<GroundEffect> effects;
-  std::vector<ConditionId> conditions;
-  std::vector<Junction> junctions;
-  std::vector<ConditionId> junction_children;
-  std::vector<ConditionId> goal;
+  Growing<std::uint8_t> initial;  // by atom
+  Growing<std::uint8_t> changes;  // by atom: some action changes it
+  Growing<std::uint8_t> needed;   // by literal
+  Growing<GroundAction> actions;
+  Growing<ObjectId> bindings;
+  Growing<GroundEffect> effects;
+  Growing<ConditionId> conditions;
+  Growing<Junction> junctions;
+  Growing<ConditionId> junction_children;
+  Growing<ConditionId> goal;
   bool goal_impossible = false;  // found false while grounding
   // What defines derived atoms that depend on themselves ("above" follows from "above"), by layer: within a
   // layer they only support each other, and what they need not to hold belongs to a layer below. In every
   // state exactly those derived atoms hold that the axioms yield, layer by layer, starting from none.
-  std::vector<GroundAxiom> axioms;
-  std::vector<std::int32_t> derived;  // by atom: 0, or its layer plus one; empty where there are no axioms
+  Growing<GroundAxiom> axioms;
+  Growing<std::int32_t> derived;  // by atom: 0, or its layer plus one; empty where there are no axioms
   Derivation derivation;
 
   void clear();

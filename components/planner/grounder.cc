@@ -19,8 +19,7 @@ void Grounder::restart() {
   for (auto& list : actions_of_schema_) list.clear();
   effects_.clear();
   side_effects_.clear();
-  axioms_of_.clear();
-  defined_.clear();
+  definitions_.clear();
   queue_.clear();
   queue_next_ = 0;
   stopped_ = too_large_ = false;
@@ -62,7 +61,10 @@ Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal,
 void Grounder::need(ConditionId condition) {
   if (condition < 0) {
     const Junction junction = task_->junctions[static_cast<std::size_t>(~condition)];
-    for (std::uint32_t i = junction.begin; i < junction.end; ++i) need(task_->junction_children[i]);
+    for (std::uint32_t i = junction.begin; i < junction.end && !stopped_; ++i) {
+      need(task_->junction_children[i]);
+      stopped_ = budget_->poll();
+    }
     return;
   }
   auto& needed = task_->needed[static_cast<std::size_t>(condition)];
@@ -74,7 +76,10 @@ void Grounder::need(ConditionId condition) {
 void Grounder::need_opposite(ConditionId condition) {
   if (condition < 0) {
     const Junction junction = task_->junctions[static_cast<std::size_t>(~condition)];
-    for (std::uint32_t i = junction.begin; i < junction.end; ++i) need_opposite(task_->junction_children[i]);
+    for (std::uint32_t i = junction.begin; i < junction.end && !stopped_; ++i) {
+      need_opposite(task_->junction_children[i]);
+      stopped_ = budget_->poll();
+    }
     return;
   }
   need(opposite(condition));
@@ -131,7 +136,7 @@ std::int32_t Grounder::action_for(std::int32_t schema_index, bool create) {
   if (cost < 0) return -1;
   const auto begin = static_cast<std::uint32_t>(task_->conditions.size());
   if (!instantiate(schema.precondition, &task_->conditions)) {
-    task_->conditions.resize(begin);
+    task_->conditions.truncate(begin);
     return -1;
   }
   if (task_->actions.size() >= kMostActions) {
@@ -145,7 +150,7 @@ std::int32_t Grounder::action_for(std::int32_t schema_index, bool create) {
   ground.precondition_begin = begin;
   ground.precondition_end = static_cast<std::uint32_t>(task_->conditions.size());
   ground.cost = cost;
-  task_->bindings.insert(task_->bindings.end(), binder_.data(), binder_.data() + parameters);
+  task_->bindings.append({binder_.data(), parameters});
   task_->actions.push_back(ground);
   actions_of_schema_[static_cast<std::size_t>(schema_index)].push_back(action);
   action_of_entry_[static_cast<std::size_t>(entry)] = action;
@@ -155,7 +160,7 @@ std::int32_t Grounder::action_for(std::int32_t schema_index, bool create) {
 }
 
 void Grounder::add_effect(std::int32_t action, const CompiledEffect& effect, Literal literal,
-                          std::vector<RawEffect>* effects) {
+                          Growing<RawEffect>* effects) {
   if (!binder_.static_part_holds(effect.condition)) return;
   if (!attainable_.can_hold(effect.condition.fluent, binder_.data())) return;
   RawEffect raw;
@@ -163,7 +168,7 @@ void Grounder::add_effect(std::int32_t action, const CompiledEffect& effect, Lit
   raw.effect.literal = literal;
   raw.effect.condition_begin = static_cast<std::uint32_t>(task_->conditions.size());
   if (!instantiate(effect.condition, &task_->conditions)) {
-    task_->conditions.resize(raw.effect.condition_begin);
+    task_->conditions.truncate(raw.effect.condition_begin);
     return;
   }
   raw.effect.condition_end = static_cast<std::uint32_t>(task_->conditions.size());

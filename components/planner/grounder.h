@@ -38,6 +38,10 @@ class Grounder {
     std::int32_t action;
     GroundEffect effect;
   };
+  struct Definition {  // of a derived atom
+    bool known = false;
+    std::uint32_t axiom_begin = 0, axiom_end = 0;  // in GroundTask::axioms
+  };
   // Where an instance of a condition ends up: a constant, or a condition of the task.
   struct Value {
     enum class Kind { kFalse, kTrue, kCondition } kind;
@@ -53,19 +57,19 @@ class Grounder {
   void bind_open(const CompiledSchema& schema, const CompiledEffect& effect, bool parameters,
                  const Visit& visit);
   std::int32_t action_for(std::int32_t schema, bool create);
-  bool instantiate(const Condition& condition, std::vector<ConditionId>* result);
+  bool instantiate(const Condition& condition, Growing<ConditionId>* result);
   Value instantiate(const Formula& formula);
   enum class Known { kFalse, kTrue, kOpen };
   Known known_value(const Formula& formula) const;
   template <class Visit>
   void for_each_candidate(const Formula& inner, bool conjunction, std::int32_t slot, const Visit& visit);
   const std::vector<ObjectId>& objects_of(const TypeSet& types);
-  Value instantiate_junction(bool conjunction, std::vector<ConditionId>& children);
+  Value instantiate_junction(bool conjunction, Growing<ConditionId>& children);
   Literal literal_for(const AtomPattern& pattern, bool negative);
   void need(ConditionId condition);
   void need_opposite(ConditionId condition);
   void add_effect(std::int32_t action, const CompiledEffect& effect, Literal literal,
-                  std::vector<RawEffect>* effects);
+                  Growing<RawEffect>* effects);
   void gather_side_effects();
   void gather(const EffectReference& reference, Literal literal);
   void finish();
@@ -82,13 +86,12 @@ class Grounder {
   Attainable attainable_;
   std::map<TypeSet, std::vector<ObjectId>> objects_;  // found when first asked for
   AtomTable action_table_;                            // schema and parameters → entry
-  std::vector<std::int32_t> action_of_entry_;         // -1: impossible
-  std::vector<std::vector<std::int32_t>> actions_of_schema_;
-  std::vector<RawEffect> effects_;                    // that actions were grounded for
-  std::vector<RawEffect> side_effects_;               // what else they do to needed literals
-  std::vector<std::vector<std::int32_t>> axioms_of_;  // by atom: axioms that define it
-  std::vector<std::uint8_t> defined_;                 // by atom
-  std::vector<Literal> queue_;
+  Growing<std::int32_t> action_of_entry_;             // -1: impossible
+  std::vector<Growing<std::int32_t>> actions_of_schema_;
+  Growing<RawEffect> effects_;       // that actions were grounded for
+  Growing<RawEffect> side_effects_;  // what else they do to needed literals
+  Growing<Definition> definitions_;  // by atom; empty where the domain has no axioms
+  Growing<Literal> queue_;
   std::size_t queue_next_ = 0;
 };
 

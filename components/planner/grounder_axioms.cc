@@ -9,13 +9,11 @@ namespace goalnet::planner {
 // hold.
 void Grounder::define(Literal literal) {
   const auto atom = static_cast<std::size_t>(literal >> 1);
-  if (defined_.size() <= atom) {
-    defined_.resize(atom + 1, 0);
-    axioms_of_.resize(atom + 1);
-  }
   const PredicateId predicate = task_->atoms.predicate(literal >> 1);
-  if (defined_[atom] == 0) {
-    defined_[atom] = 1;
+  if (!definitions_[atom].known) {
+    Definition definition;
+    definition.known = true;
+    definition.axiom_begin = static_cast<std::uint32_t>(task_->axioms.size());
     for (const CompiledAxiom& axiom : compiled_.axioms) {
       if (axiom.predicate != predicate) continue;
       std::fill_n(binder_.values().begin(), axiom.slots.size(), -1);
@@ -35,12 +33,13 @@ void Grounder::define(Literal literal) {
       ground.condition_begin = static_cast<std::uint32_t>(task_->conditions.size());
       if (value.kind == Value::Kind::kCondition) task_->conditions.push_back(value.condition);
       ground.condition_end = static_cast<std::uint32_t>(task_->conditions.size());
-      axioms_of_[atom].push_back(static_cast<std::int32_t>(task_->axioms.size()));
       task_->axioms.push_back(ground);
     }
+    definition.axiom_end = static_cast<std::uint32_t>(task_->axioms.size());
+    definitions_[atom] = definition;
   }
-  for (const std::int32_t axiom : axioms_of_[atom]) {
-    const GroundAxiom ground = task_->axioms[static_cast<std::size_t>(axiom)];
+  for (std::uint32_t a = definitions_[atom].axiom_begin; a < definitions_[atom].axiom_end; ++a) {
+    const GroundAxiom ground = task_->axioms[a];
     for (std::uint32_t i = ground.condition_begin; i < ground.condition_end; ++i) {
       const ConditionId condition = task_->conditions[i];
       (literal & 1) != 0 ? need_opposite(condition) : need(condition);

@@ -20,13 +20,14 @@ Literal Grounder::literal_for(const AtomPattern& pattern, bool negative) {
     task_->changes.push_back(0);
     task_->needed.push_back(0);
     task_->needed.push_back(0);
+    if (!compiled_.axioms.empty()) definitions_.push_back({});
   }
   return 2 * atom + (negative ? 1 : 0);
 }
 
 // Appends the fluent and complex parts; false if one of them cannot hold. The static part is checked
 // elsewhere.
-bool Grounder::instantiate(const Condition& condition, std::vector<ConditionId>* result) {
+bool Grounder::instantiate(const Condition& condition, Growing<ConditionId>* result) {
   for (const LiteralPattern& literal : condition.fluent)
     result->push_back(literal_for(literal.atom, literal.negative));
   for (const Formula& formula : condition.complex) {
@@ -45,15 +46,19 @@ bool Grounder::instantiate(const Condition& condition, std::vector<ConditionId>*
   return true;
 }
 
-Grounder::Value Grounder::instantiate_junction(bool conjunction, std::vector<ConditionId>& children) {
-  std::sort(children.begin(), children.end());
-  children.erase(std::unique(children.begin(), children.end()), children.end());
+Grounder::Value Grounder::instantiate_junction(bool conjunction, Growing<ConditionId>& children) {
+  const auto not_above = [](ConditionId a, ConditionId b) { return a >= b; };
+  if (std::adjacent_find(children.begin(), children.end(), not_above) != children.end()) {  // rarely
+    std::sort(children.begin(), children.end());
+    children.truncate(
+        static_cast<std::size_t>(std::unique(children.begin(), children.end()) - children.begin()));
+  }
   if (children.empty()) return {conjunction ? Value::Kind::kTrue : Value::Kind::kFalse, 0};
   if (children.size() == 1) return {Value::Kind::kCondition, children[0]};
   Junction junction;
   junction.conjunction = conjunction;
   junction.begin = static_cast<std::uint32_t>(task_->junction_children.size());
-  task_->junction_children.insert(task_->junction_children.end(), children.begin(), children.end());
+  task_->junction_children.append(children);
   junction.end = static_cast<std::uint32_t>(task_->junction_children.size());
   task_->junctions.push_back(junction);
   return {Value::Kind::kCondition, ~static_cast<ConditionId>(task_->junctions.size() - 1)};
@@ -153,6 +158,7 @@ const std::vector<ObjectId>& Grounder::objects_of(const TypeSet& types) {
   const auto [place, is_new] = objects_.try_emplace(types);
   if (is_new) {
     for (ObjectId object = 0; object < index_->problem().object_count(); ++object) {
+      if (stopped_ = budget_->poll(); stopped_) break;
       if (index_->problem().object_is_a(object, types)) place->second.push_back(object);
     }
   }
@@ -188,7 +194,7 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
     case Formula::Kind::kAnd:
     case Formula::Kind::kOr: {
       const bool conjunction = formula.kind == Formula::Kind::kAnd;
-      std::vector<ConditionId> children;
+      Growing<ConditionId> children;
       for (const Formula& child : formula.children) {
         const Value value = instantiate(child);
         if (value.kind == Value::Kind::kCondition) {
@@ -204,7 +210,7 @@ Grounder::Value Grounder::instantiate(const Formula& formula) {
       const bool conjunction = formula.kind == Formula::Kind::kForall;
       const Formula& inner = formula.children.front();
       for (const std::int32_t slot : formula.slots) binder_.values()[static_cast<std::size_t>(slot)] = -1;
-      std::vector<ConditionId> children;
+      Growing<ConditionId> children;
       bool decided = false;
       const auto recurse = [&](const auto& self, std::size_t i) -> void {
         if (decided || stopped_) return;

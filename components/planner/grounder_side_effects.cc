@@ -28,7 +28,7 @@ void Grounder::gather_side_effects() {
     }
   }
   // A plan may have to make sure that a conditional effect does not happen.
-  const auto protect = [this](const std::vector<RawEffect>& effects) {
+  const auto protect = [this](const Growing<RawEffect>& effects) {
     for (const RawEffect& raw : effects) {
       if (budget_->poll()) stopped_ = true;
       if (stopped_) return;
@@ -82,26 +82,34 @@ void Grounder::gather(const EffectReference& reference, Literal literal) {
 // Lays the effects out by action, deletions first: where an action both deletes and adds a fact, it holds
 // afterwards.
 void Grounder::finish() {
-  std::vector<GroundAction>& actions = task_->actions;
-  effects_.insert(effects_.end(), side_effects_.begin(), side_effects_.end());
-  for (const RawEffect& raw : effects_) {
-    if (stopped_ = budget_->poll(); stopped_) return;
-    ++actions[static_cast<std::size_t>(raw.action)].effect_end;
-  }
+  Growing<GroundAction>& actions = task_->actions;
+  // visit(effect) for every one; false once stopped.
+  const auto each = [this](const auto& visit) {
+    for (const auto* effects : {&effects_, &side_effects_}) {
+      for (const RawEffect& raw : *effects) {
+        if (stopped_ = budget_->poll(); stopped_) return false;
+        visit(raw);
+      }
+    }
+    return true;
+  };
+  if (!each([&](const RawEffect& raw) { ++actions[static_cast<std::size_t>(raw.action)].effect_end; }))
+    return;
   std::uint32_t total = 0;
   for (GroundAction& action : actions) {
+    if (stopped_ = budget_->poll(); stopped_) return;
     const std::uint32_t count = action.effect_end;
     action.effect_begin = action.effect_end = total;
     total += count;
   }
-  task_->effects.resize(total);
+  task_->effects.resize_for_overwrite(total);
   for (const Literal negative : {1, 0}) {
-    for (const RawEffect& raw : effects_) {
-      if (stopped_ = budget_->poll(); stopped_) return;
-      if ((raw.effect.literal & 1) != negative) continue;
+    const bool done = each([&](const RawEffect& raw) {
+      if ((raw.effect.literal & 1) != negative) return;
       task_->effects[actions[static_cast<std::size_t>(raw.action)].effect_end++] = raw.effect;
       task_->changes[static_cast<std::size_t>(raw.effect.literal >> 1)] = 1;
-    }
+    });
+    if (!done) return;
   }
   if (!task_->axioms.empty()) finish_axioms();
 }

@@ -5,17 +5,22 @@ namespace {
 
 // Rows of a compressed table: counts become ends, then items are filled in backwards.
 template <class ForEach>
-void fill_rows(std::size_t rows, std::vector<std::uint32_t>& begin, std::vector<std::int32_t>& values,
+void fill_rows(std::size_t rows, Growing<std::uint32_t>& begin, Growing<std::int32_t>& values, Budget& budget,
                const ForEach& for_each) {
-  begin.assign(rows + 1, 0);
+  begin.clear();
+  for (std::size_t i = 0; i <= rows; ++i) {
+    if (budget.poll()) return;
+    begin.push_back(0);
+  }
   for_each([&](std::int32_t row, std::int32_t) { ++begin[static_cast<std::size_t>(row)]; });
   std::uint32_t total = 0;
   for (std::size_t i = 0; i < rows; ++i) {
+    if (budget.poll()) return;
     total += begin[i];
     begin[i] = total;
   }
   begin[rows] = total;
-  values.resize(total);
+  values.resize_for_overwrite(total);
   for_each([&](std::int32_t row, std::int32_t value) {
     auto& place = begin[static_cast<std::size_t>(row)];
     if (place > 0) values[--place] = value;  // 0 only where counting was stopped
@@ -46,6 +51,7 @@ void RelaxedTask::build(const GroundTask& task, Budget& budget) {
   effects_.clear();
   tracked_.clear();
   for (std::size_t literal = 0; literal < literals_; ++literal) {
+    if (budget.poll()) return;
     if (task.needed[literal] != 0) tracked_.push_back(static_cast<Literal>(literal));
   }
   for (std::size_t a = 0; a < task.actions.size(); ++a) {
@@ -68,6 +74,7 @@ void RelaxedTask::build(const GroundTask& task, Budget& budget) {
     }
   }
   for (const GroundAxiom& axiom : task.axioms) {
+    if (budget.poll()) return;
     if (task.needed[static_cast<std::size_t>(axiom.head)] == 0) continue;
     add_operator(-1, task.conditions_of(axiom), {});
     effects_.push_back(axiom.head);
@@ -81,6 +88,7 @@ void RelaxedTask::build(const GroundTask& task, Budget& budget) {
     ++operators_.back().effect_end;
   }
   for (std::size_t j = 0; j < task.junctions.size(); ++j) {
+    if (budget.poll()) return;
     const Junction& junction = task.junctions[j];
     const auto children = task.children(junction);
     for (std::size_t i = 0; i < (junction.conjunction ? 1 : children.size()); ++i) {
@@ -97,7 +105,7 @@ void RelaxedTask::build(const GroundTask& task, Budget& budget) {
 
 void RelaxedTask::index(Budget& budget) {
   const auto propositions = static_cast<std::size_t>(proposition_count());
-  const auto each = [this, &budget](const std::vector<Proposition>& values, bool effects, const auto& visit) {
+  const auto each = [this, &budget](const Growing<Proposition>& values, bool effects, const auto& visit) {
     for (std::size_t i = 0; i < operators_.size() && !budget.poll(); ++i) {
       const RelaxedOperator& op = operators_[i];
       const std::uint32_t begin = effects ? op.effect_begin : op.precondition_begin;
@@ -105,12 +113,12 @@ void RelaxedTask::index(Budget& budget) {
       for (std::uint32_t k = begin; k < end; ++k) visit(values[k], static_cast<std::int32_t>(i));
     }
   };
-  fill_rows(propositions, user_begin_, users_,
+  fill_rows(propositions, user_begin_, users_, budget,
             [&](const auto& visit) { each(preconditions_, false, visit); });
-  fill_rows(propositions, producer_begin_, producers_,
+  fill_rows(propositions, producer_begin_, producers_, budget,
             [&](const auto& visit) { each(effects_, true, visit); });
-  fill_rows(task_->actions.size(), action_begin_, action_operators_, [&](const auto& visit) {
-    for (std::size_t i = 0; i < operators_.size(); ++i) {
+  fill_rows(task_->actions.size(), action_begin_, action_operators_, budget, [&](const auto& visit) {
+    for (std::size_t i = 0; i < operators_.size() && !budget.poll(); ++i) {
       if (operators_[i].action >= 0) visit(operators_[i].action, static_cast<std::int32_t>(i));
     }
   });

@@ -5,10 +5,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "components/planner/budget.h"
 #include "components/planner/ground_task.h"
+#include "components/planner/growing.h"
 
 namespace goalnet::planner {
 
@@ -33,7 +33,7 @@ class RelaxedTask {
   Proposition of(ConditionId condition) const {
     return condition >= 0 ? condition : static_cast<Proposition>(literals_) + ~condition;
   }
-  const std::vector<RelaxedOperator>& operators() const { return operators_; }
+  const Growing<RelaxedOperator>& operators() const { return operators_; }
   std::span<const Proposition> preconditions(const RelaxedOperator& op) const {
     return {preconditions_.data() + op.precondition_begin, op.precondition_end - op.precondition_begin};
   }
@@ -59,8 +59,8 @@ class RelaxedTask {
   }
 
  private:
-  static std::span<const std::int32_t> row(const std::vector<std::uint32_t>& begin,
-                                           const std::vector<std::int32_t>& values, std::int32_t index) {
+  static std::span<const std::int32_t> row(const Growing<std::uint32_t>& begin,
+                                           const Growing<std::int32_t>& values, std::int32_t index) {
     const auto i = static_cast<std::size_t>(index);
     return {values.data() + begin[i], begin[i + 1] - begin[i]};
   }
@@ -71,11 +71,11 @@ class RelaxedTask {
   const GroundTask* task_ = nullptr;
   std::size_t literals_ = 0;
   Proposition goal_ = 0;
-  std::vector<Literal> tracked_;
-  std::vector<RelaxedOperator> operators_;
-  std::vector<Proposition> preconditions_, effects_;
-  std::vector<std::uint32_t> user_begin_, producer_begin_, action_begin_;
-  std::vector<std::int32_t> users_, producers_, action_operators_;
+  Growing<Literal> tracked_;
+  Growing<RelaxedOperator> operators_;
+  Growing<Proposition> preconditions_, effects_;
+  Growing<std::uint32_t> user_begin_, producer_begin_, action_begin_;
+  Growing<std::int32_t> users_, producers_, action_operators_;
 };
 
 }  // namespace goalnet::planner

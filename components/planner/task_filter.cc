@@ -97,7 +97,7 @@ TaskFilter::Value TaskFilter::translate(ConditionId condition, GroundTask& to, C
   Junction copy;
   copy.conjunction = junction.conjunction;
   copy.begin = static_cast<std::uint32_t>(to.junction_children.size());
-  to.junction_children.insert(to.junction_children.end(), children.begin(), children.end());
+  to.junction_children.append(children);
   copy.end = static_cast<std::uint32_t>(to.junction_children.size());
   to.junctions.push_back(copy);
   *result = ~static_cast<ConditionId>(to.junctions.size() - 1);
@@ -195,7 +195,7 @@ std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relax
       GroundEffect effect;
       effect.condition_begin = static_cast<std::uint32_t>(to.conditions.size());
       if (!translate_all(from.conditions_of(from.effects[e]), to)) {
-        to.conditions.resize(effect.condition_begin);
+        to.conditions.truncate(effect.condition_begin);
         continue;
       }
       effect.condition_end = static_cast<std::uint32_t>(to.conditions.size());
@@ -204,8 +204,8 @@ std::int64_t TaskFilter::filter(const GroundTask& from, const RelaxedTask& relax
     }
     action.effect_end = static_cast<std::uint32_t>(to.effects.size());
     if (!possible || to.effects.size() == effects_before) {
-      to.conditions.resize(before);
-      to.effects.resize(effects_before);
+      to.conditions.truncate(before);
+      to.effects.truncate(effects_before);
       continue;
     }
     to.actions.push_back(action);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "components/planner/chunks.h"
+#include "components/planner/growing.h"
 
 namespace goalnet::planner {
 namespace {
@@ -66,6 +67,31 @@ TEST(Chunks, AreCopiedMovedAndUsedAgain) {
   EXPECT_EQ(count, 70'000);
   moved.clear();
   for (int i = 0; i < 100'000; ++i) ASSERT_EQ(copy[static_cast<std::size_t>(i)], i);
+}
+
+// Across the heap, the first pages and several moves of them; what is there stays as it was.
+TEST(Growing, KeepsItsElementsHoweverLargeItGrows) {
+  constexpr std::uint32_t kMany = 5'000'000;  // 20 MB
+  Growing<std::uint32_t> array;
+  for (std::uint32_t i = 0; i < kMany; ++i) array.push_back(7 * i);
+  ASSERT_EQ(array.size(), kMany);
+  const Growing<std::uint32_t> copy = array;
+  Growing<std::uint32_t> moved = std::move(array);
+  array.push_back(3);
+  EXPECT_EQ(array.back(), 3u);
+  moved.append(std::span(copy.data(), copy.size()));
+  for (std::uint32_t i = 0; i < kMany; ++i) {
+    ASSERT_EQ(copy[i], 7 * i);
+    ASSERT_EQ(moved[kMany + i], 7 * i);
+  }
+  moved.truncate(2);
+  moved.push_back(moved[1]);
+  EXPECT_EQ(moved.size(), 3u);
+  EXPECT_EQ(moved.back(), 7u);
+  moved.clear();
+  EXPECT_TRUE(moved.empty());
+  moved.assign(3, 9);
+  EXPECT_EQ(std::count(moved.begin(), moved.end(), 9u), 3);
 }
 
 }  // namespace

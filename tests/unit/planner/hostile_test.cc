@@ -351,5 +351,55 @@ TEST(Cancelling, IsQuickAtAnyMoment) {
 #endif
 }
 
+// Millions of actions and atoms, stopped at random moments while they are ground: what is freed then counts.
+TEST(Cancelling, IsQuickWhileMuchIsGround) {
+  const char* const text =
+      "(define (domain d) (:requirements :adl :derived-predicates) (:types cup table - object)\n"
+      "(:predicates (on ?c - cup ?t - table) (clean ?c - cup) (under ?a ?b - cup) (above ?a ?b - cup))\n"
+      "(:derived (above ?a ?b - cup)\n"
+      "  (or (under ?b ?a) (exists (?c - cup) (and (under ?c ?a) (above ?c ?b)))))\n"
+      "(:action move :parameters (?c - cup ?from ?to - table) :precondition (on ?c ?from)\n"
+      "  :effect (and (on ?c ?to) (not (on ?c ?from)) (when (clean ?c) (not (clean ?c)))))\n"
+      "(:action stack :parameters (?a ?b - cup) :precondition (clean ?a) :effect (under ?b ?a))\n"
+      "(:action wash :parameters (?c - cup ?t - table) :precondition (on ?c ?t)\n"
+      "  :effect (clean ?c)))";
+  const auto domain = parse_domain(text, "d");
+  ASSERT_TRUE(domain) << domain.error().message;
+  const auto make = [&](int cups, const std::string& goal) {
+    return parse_problem("(define (problem p) (:domain d) (:objects" + many(cups, " c", "") +
+                             " - cup t1 t2 t3 t4 - table) (:init" + many(cups, " (on c", " t1)") +
+                             ") (:goal " + goal + "))",
+                         "p", *domain);
+  };
+  const auto actions = make(120'000, "(forall (?c - cup) (clean ?c))");
+  const auto atoms = make(200'000, "(forall (?c - cup) (exists (?t - table) (on ?c ?t)))");
+  const auto axioms = make(400, "(forall (?a ?b - cup) (above ?a ?b))");
+  std::mt19937_64 random(13);
+  for (const auto& [name, problem] :
+       {std::pair{"actions", &actions}, {"atoms", &atoms}, {"axioms", &axioms}}) {
+    ASSERT_TRUE(*problem) << problem->error().message;
+    double worst = 0.0;
+    int stopped = 0;
+    for (int i = 0; i < 10; ++i) {
+      const double delay = 6e5 * static_cast<double>(random() % 1000) / 1000.0;
+      const double used =
+          time_to_stop(std::chrono::duration<double, std::micro>(delay), [&](const std::stop_token& stop) {
+            SolveOptions options;
+            options.stop = stop;
+            const auto plan = solve(*domain, **problem, options);
+            return !plan && plan.error().outcome == Outcome::kCancelled;
+          });
+      if (used < 0.0) continue;
+      ++stopped;
+      worst = std::max(worst, used);
+    }
+    EXPECT_GT(stopped, 2) << name;
+    std::cout << name << ": " << stopped << " stopped, the slowest after " << worst << " us\n";
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    EXPECT_LT(worst, 20'000.0) << name;  // four times the promise, for slow machines
+#endif
+  }
+}
+
 }  // namespace
 }  // namespace goalnet::planner
