@@ -74,6 +74,18 @@ class Growing {
     resize_for_overwrite(size);
     std::uninitialized_fill_n(first_, size, copy);
   }
+  // As assign, but asks `stop()` now and then; false when told to stop, which leaves it undetermined.
+  template <class Stop>
+  bool assign(std::size_t size, const T& value, Stop stop) {
+    constexpr std::size_t kPiece = 1 << 16;
+    clear();
+    resize_for_overwrite(size);
+    for (std::size_t done = 0; done < size; done += kPiece) {
+      if (stop()) return false;
+      std::uninitialized_fill_n(first_ + done, std::min(kPiece, size - done), value);
+    }
+    return true;
+  }
   // Keeps what lies on the heap, so that a reused array stops allocating and a huge one does not stay.
   void clear() {
     size_ = 0;

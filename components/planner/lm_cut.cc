@@ -7,24 +7,23 @@ namespace {
 constexpr std::int64_t kUnreached = INT64_MAX / 2;
 }
 
-void LmCut::restart(const RelaxedTask& relaxed) {
+void LmCut::restart(const RelaxedTask& relaxed, Budget& budget) {
   relaxed_ = &relaxed;
-  const std::size_t operators = relaxed.operators().size();
+  const std::size_t actions = relaxed.task().actions.size(), operators = relaxed.operators().size();
   const auto propositions = static_cast<std::size_t>(relaxed.proposition_count());
-  cost_left_.resize(relaxed.task().actions.size());
-  in_cut_.assign(relaxed.task().actions.size(), 0);
-  proposition_cost_.resize(propositions);
-  in_zone_.assign(propositions, 0);
-  uses_.assign(propositions, 0);
-  reached_.resize(propositions);
-  precondition_count_.resize(operators);
-  for (std::size_t i = 0; i < operators; ++i) {
+  const auto stop = [&budget] { return budget.check(); };
+  const bool whole = cost_left_.assign(actions, 0, stop) && in_cut_.assign(actions, 0, stop) &&
+                     proposition_cost_.assign(propositions, 0, stop) &&
+                     in_zone_.assign(propositions, 0, stop) && uses_.assign(propositions, 0, stop) &&
+                     reached_.assign(propositions, 0, stop) &&
+                     precondition_count_.assign(operators, 0, stop) && missing_.assign(operators, 0, stop) &&
+                     unsatisfied_.assign(operators, 0, stop) && supporter_.assign(operators, 0, stop) &&
+                     supporter_cost_.assign(operators, 0, stop);
+  if (!whole) return;
+  for (std::size_t i = 0; i < operators && !budget.poll(); ++i) {
     const RelaxedOperator& op = relaxed.operators()[i];
     precondition_count_[i] = static_cast<std::int32_t>(op.precondition_end - op.precondition_begin);
   }
-  unsatisfied_.resize(operators);
-  supporter_.resize(operators);
-  supporter_cost_.resize(operators);
 }
 
 void LmCut::reach(Proposition p, std::int64_t cost) {
@@ -38,7 +37,8 @@ void LmCut::reach(Proposition p, std::int64_t cost) {
 void LmCut::explore(const Word* state, Budget& budget) {
   const auto& operators = relaxed_->operators();
   std::fill(proposition_cost_.begin(), proposition_cost_.end(), kUnreached);
-  unsatisfied_ = precondition_count_;
+  if (budget.check()) return;
+  std::copy(precondition_count_.begin(), precondition_count_.end(), unsatisfied_.begin());
   queue_.clear();
   relaxed_->for_each_true(state, [this](Literal literal) { reach(literal, 0); });
   reach(relaxed_->always(), 0);
@@ -165,7 +165,7 @@ bool LmCut::needs_zone(const RelaxedOperator& op) const {
 void LmCut::find_cut(const Word* state, Budget& budget) {
   const auto& operators = relaxed_->operators();
   cut_.clear();
-  missing_ = precondition_count_;
+  std::copy(precondition_count_.begin(), precondition_count_.end(), missing_.begin());
   std::fill(reached_.begin(), reached_.end(), std::uint8_t{0});
   stack_.clear();
   const auto visit = [this](Proposition p) {

@@ -9,6 +9,7 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/cost_queue.h"
+#include "components/planner/growing.h"
 #include "components/planner/relaxed_task.h"
 
 namespace goalnet::planner {
@@ -17,7 +18,7 @@ class LmCut {
  public:
   static constexpr std::int64_t kDeadEnd = INT64_MAX / 4;
 
-  void restart(const RelaxedTask& relaxed);
+  void restart(const RelaxedTask& relaxed, Budget& budget);
   // kDeadEnd if the goal is not even reachable in the relaxation. When the budget runs out in the middle,
   // what was counted so far is returned, which is admissible too; reachable() then means nothing.
   std::int64_t evaluate(const Word* state, Budget& budget);
@@ -39,20 +40,20 @@ class LmCut {
   void find_cut(const Word* state, Budget& budget);
 
   const RelaxedTask* relaxed_ = nullptr;
-  std::vector<std::int64_t> cost_left_;  // by action
-  std::vector<std::int64_t> proposition_cost_;
-  std::vector<std::int32_t> unsatisfied_;  // by operator
-  std::vector<Proposition> supporter_;     // by operator: its most expensive precondition
-  std::vector<std::int64_t> supporter_cost_;
-  std::vector<Proposition> zone_;                           // leads to the goal for free
-  std::vector<std::uint8_t> in_zone_, reached_;             // by proposition
-  std::vector<std::int32_t> precondition_count_, missing_;  // by operator
-  std::vector<std::int32_t> uses_;                          // by proposition; zero between uses
-  std::vector<std::int32_t> pending_;                       // operators
+  Growing<std::int64_t> cost_left_;  // by action
+  Growing<std::int64_t> proposition_cost_;
+  Growing<std::int32_t> unsatisfied_;  // by operator
+  Growing<Proposition> supporter_;     // by operator: its most expensive precondition
+  Growing<std::int64_t> supporter_cost_;
+  std::vector<Proposition> zone_;                       // leads to the goal for free
+  Growing<std::uint8_t> in_zone_, reached_;             // by proposition
+  Growing<std::int32_t> precondition_count_, missing_;  // by operator
+  Growing<std::int32_t> uses_;                          // by proposition; zero between uses
+  std::vector<std::int32_t> pending_;                   // operators
   std::vector<Proposition> stack_;
   std::vector<std::int32_t> cut_;  // operators
   std::vector<std::int32_t> cut_actions_;
-  std::vector<std::uint8_t> in_cut_;  // by action
+  Growing<std::uint8_t> in_cut_;  // by action
   CostQueue queue_;
 };
 

@@ -89,8 +89,9 @@ Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions&
     plan.statistics.method = "nothing to do";
     return plan;
   }
-  lm_cut.restart(relaxed);
-  relaxed_planner.restart(relaxed);
+  lm_cut.restart(relaxed, budget);
+  relaxed_planner.restart(relaxed, budget);
+  if (budget.stopped()) return stopped(budget, options);
   ++plan.statistics.evaluated;
   const std::int64_t estimate = lm_cut.evaluate(initial.data(), budget);
   if (budget.stopped()) return stopped(budget, options);

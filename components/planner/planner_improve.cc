@@ -160,7 +160,8 @@ Planner::Impl::Focus Planner::Impl::focus_on(std::int64_t bound, Plan& plan, Bud
   focused_relaxed.build(focused, budget);
   if (budget.stopped()) return Focus::kAll;
   initial_state(focused, &focused_initial);
-  focused_lm_cut.restart(focused_relaxed);
+  focused_lm_cut.restart(focused_relaxed, budget);
+  if (budget.stopped()) return Focus::kAll;
   ++plan.statistics.evaluated;
   estimate = focused_lm_cut.evaluate(focused_initial.data(), budget);
   if (estimate >= bound && !budget.check()) return Focus::kNone;

@@ -8,19 +8,20 @@ constexpr std::int64_t kUnreached = INT64_MAX / 2;
 constexpr std::int64_t kHighest = INT64_MAX / 8;  // sums are capped here
 }  // namespace
 
-void RelaxedPlanner::restart(const RelaxedTask& relaxed) {
+void RelaxedPlanner::restart(const RelaxedTask& relaxed, Budget& budget) {
   relaxed_ = &relaxed;
-  const auto propositions = static_cast<std::size_t>(relaxed.proposition_count());
-  cost_.resize(propositions);
-  best_.resize(propositions);
-  marked_.resize(propositions);
-  unsatisfied_.resize(relaxed.operators().size());
-  sum_.resize(relaxed.operators().size());
-  in_plan_.assign(relaxed.task().actions.size(), 0);
   counts_actions_ = false;
   extra_ = 0;
+  const std::size_t actions = relaxed.task().actions.size(), operators = relaxed.operators().size();
+  const auto propositions = static_cast<std::size_t>(relaxed.proposition_count());
+  const auto stop = [&budget] { return budget.check(); };
+  const bool whole = cost_.assign(propositions, 0, stop) && best_.assign(propositions, 0, stop) &&
+                     marked_.assign(propositions, 0, stop) && unsatisfied_.assign(operators, 0, stop) &&
+                     sum_.assign(operators, 0, stop) && in_plan_.assign(actions, 0, stop);
+  if (!whole) return;
   for (const GroundAction& action : relaxed.task().actions) {
     if (action.cost == 0) extra_ = 1;
+    if (budget.poll()) return;
   }
 }
 
@@ -35,11 +36,12 @@ void RelaxedPlanner::reach(Proposition p, std::int64_t cost, std::int32_t op) {
 void RelaxedPlanner::explore(const Word* state, Budget& budget) {
   const auto& operators = relaxed_->operators();
   std::fill(cost_.begin(), cost_.end(), kUnreached);
-  for (std::size_t i = 0; i < operators.size(); ++i) {
+  for (std::size_t i = 0; i < operators.size() && !budget.poll(); ++i) {
     unsatisfied_[i] =
         static_cast<std::int32_t>(operators[i].precondition_end - operators[i].precondition_begin);
     sum_[i] = cost_of(operators[i]);
   }
+  if (budget.stopped()) return;
   queue_.clear();
   applicable_.clear();
   relaxed_->for_each_true(state, [this](Literal literal) { reach(literal, 0, -1); });

@@ -8,6 +8,7 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/cost_queue.h"
+#include "components/planner/growing.h"
 #include "components/planner/relaxed_task.h"
 
 namespace goalnet::planner {
@@ -16,7 +17,7 @@ class RelaxedPlanner {
  public:
   static constexpr std::int64_t kDeadEnd = INT64_MAX / 4;
 
-  void restart(const RelaxedTask& relaxed);
+  void restart(const RelaxedTask& relaxed, Budget& budget);
   // Whether every action is taken to cost 1, whatever it costs: cheap plans are not always those that are
   // found first. Off after restart().
   void count_actions(bool on) { counts_actions_ = on; }
@@ -48,12 +49,12 @@ class RelaxedPlanner {
   bool counts_actions_ = false;
   std::int64_t extra_ =
       0;  // per action: 1 if some are free, so that only what applies at once is reached for nothing
-  std::vector<std::int64_t> cost_;         // by proposition
-  std::vector<std::int32_t> best_;         // by proposition: its cheapest producer, -1 = holds
-  std::vector<std::int32_t> unsatisfied_;  // by operator
-  std::vector<std::int64_t> sum_;          // by operator
-  std::vector<std::uint8_t> marked_;       // by proposition: extracted
-  std::vector<std::uint8_t> in_plan_;      // by action
+  Growing<std::int64_t> cost_;         // by proposition
+  Growing<std::int32_t> best_;         // by proposition: its cheapest producer, -1 = holds
+  Growing<std::int32_t> unsatisfied_;  // by operator
+  Growing<std::int64_t> sum_;          // by operator
+  Growing<std::uint8_t> marked_;       // by proposition: extracted
+  Growing<std::uint8_t> in_plan_;      // by action
   std::vector<std::int32_t> plan_, applicable_;
   std::vector<std::pair<Proposition, std::uint32_t>> stack_;
   std::vector<std::int32_t> rest_;
