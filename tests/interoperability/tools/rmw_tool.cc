@@ -127,8 +127,9 @@ bool wait_for(const Condition& condition, std::chrono::milliseconds step) {
 int pub(Tool& tool, const std::string& topic, const std::string& text) {
   const auto& support = idl::type_support<String>();
   auto* writer = tool.writer("rt" + topic, support.dds_name, true, 1);
-  // At once when matched; ros2 topic pub looks ten times a second, which only gives both sides more time.
-  if (!wait_for([&] { return matched(writer); }, 1ms)) return 1;
+  // As ros2 topic pub looks: ten times a second. Within a millisecond of this side's match the other side may
+  // still be matching, and what is published then is lost to a volatile reader, of any node.
+  if (!wait_for([&] { return matched(writer); }, 100ms)) return 1;
   String message;
   message.data(text);
   detail::Outgoing out;
