@@ -69,20 +69,18 @@ class Growing {
     size_ = size;
   }
   void assign(std::size_t size, const T& value) {
-    const T copy = value;
-    clear();
-    resize_for_overwrite(size);
-    std::uninitialized_fill_n(first_, size, copy);
+    assign(size, value, [] { return false; });
   }
-  // As assign, but asks `stop()` now and then; false when told to stop, which leaves it undetermined.
+  // Asks `stop()` now and then; false when told to stop, which leaves what is not yet written undetermined.
   template <class Stop>
   bool assign(std::size_t size, const T& value, Stop stop) {
     constexpr std::size_t kPiece = 1 << 16;
+    const T copy = value;  // it may be one of ours
     clear();
     resize_for_overwrite(size);
     for (std::size_t done = 0; done < size; done += kPiece) {
       if (stop()) return false;
-      std::uninitialized_fill_n(first_ + done, std::min(kPiece, size - done), value);
+      std::uninitialized_fill_n(first_ + done, std::min(kPiece, size - done), copy);
     }
     return true;
   }

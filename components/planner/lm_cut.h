@@ -18,6 +18,7 @@ class LmCut {
  public:
   static constexpr std::int64_t kDeadEnd = INT64_MAX / 4;
 
+  // Makes the tables for a task. If the budget runs out, nothing may be asked before the next restart().
   void restart(const RelaxedTask& relaxed, Budget& budget);
   // kDeadEnd if the goal is not even reachable in the relaxation. When the budget runs out in the middle,
   // what was counted so far is returned, which is admissible too; reachable() then means nothing.

@@ -17,6 +17,7 @@ class RelaxedPlanner {
  public:
   static constexpr std::int64_t kDeadEnd = INT64_MAX / 4;
 
+  // Makes the tables for a task. If the budget runs out, nothing may be asked before the next restart().
   void restart(const RelaxedTask& relaxed, Budget& budget);
   // Whether every action is taken to cost 1, whatever it costs: cheap plans are not always those that are
   // found first. Off after restart().

@@ -3,40 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "components/ros/managed_component.h"
-#include "sim/world.h"
-#include "tools/goalnet/lockstep_loop.h"
+#include "tests/faults/loop_fixture.h"
 
 namespace goalnet::tools {
 namespace {
 
 const Goal kTapOn{{{"state", "SinkKnob", "TapIsOn"}}, {}, 1.0};
 
-class Deactivation : public testing::Test {
+class Deactivation : public LoopFixture {
  protected:
-  void SetUp() override {
-    LoopOptions options;
-    options.process_only = true;
-    options.instruction_timeout = 300.0;
-    LoopEvents events;
-    events.on_status = [this](const coordinator::Report& report) { last_ = report; };
-    auto loop = LockstepLoop::create(options, std::move(events));
-    ASSERT_TRUE(loop) << loop.error().message;
-    loop_ = std::move(*loop);
-    ASSERT_TRUE(loop_->settle());
-  }
-  double speed() {
-    double fastest = 0.0;
-    for (std::size_t j = 0; j < loop_->world().robot_joint_count(); ++j)
-      fastest = std::max(fastest, std::abs(loop_->world().robot_joint(j).velocity));
-    return fastest;
-  }
-  void go_on(double seconds) {
-    const double until = loop_->sim_time() + seconds;
-    while (loop_->sim_time() < until) loop_->step();
-  }
   void run_until_it_moves() {
     loop_->pursue(kTapOn);
     while (!last_.finished && speed() < 0.2) loop_->step();
@@ -44,22 +20,13 @@ class Deactivation : public testing::Test {
     go_on(0.3);
     ASSERT_GT(speed(), 0.2);
   }
-  void run_to_the_end() {
-    while (!last_.finished) loop_->step();
-  }
-  void expect_at_rest() {
-    go_on(2.0);
-    EXPECT_LT(speed(), 0.01);
-  }
+  void expect_at_rest() { LoopFixture::expect_at_rest(0.01); }
   void expect_it_works_again() {
     last_ = {};
     loop_->pursue(kTapOn);
     run_to_the_end();
     EXPECT_EQ(last_.outcome, Outcome::kDone) << last_.message;
   }
-
-  std::unique_ptr<LockstepLoop> loop_;
-  coordinator::Report last_;
 };
 
 TEST_F(Deactivation, ACancelSlowsTheRobotDownWithinATenthOfASecond) {

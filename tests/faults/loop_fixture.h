@@ -54,13 +54,17 @@ class LoopFixture : public testing::Test {
     return static_cast<std::size_t>(scene.find_object(name) - scene.objects.data());
   }
   bool holds(const std::string& fact) { return world_.facts.contains(parse_predicate(fact).value()); }
-  // Nothing moves any more once a run has ended.
-  void expect_at_rest() {
-    go_on(2.0);
+  // Of the fastest joint [rad/s or m/s].
+  double speed() {
     double fastest = 0.0;
     for (std::size_t j = 0; j < loop_->world().robot_joint_count(); ++j)
       fastest = std::max(fastest, std::abs(loop_->world().robot_joint(j).velocity));
-    EXPECT_LT(fastest, 0.02);
+    return fastest;
+  }
+  // Nothing moves any more once a run has ended.
+  void expect_at_rest(double most = 0.02) {
+    go_on(2.0);
+    EXPECT_LT(speed(), most);
   }
 
   double joint_position(const std::string& name) {
