@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "components/planner/growing.h"
+
 namespace goalnet::planner {
 
 class CostQueue {
@@ -39,7 +41,7 @@ class CostQueue {
     while (current_ < used_ && buckets_[current_].empty()) ++current_;
     if (current_ < used_) {
       const std::int32_t item = buckets_[current_].back();
-      buckets_[current_].pop_back();
+      buckets_[current_].truncate(buckets_[current_].size() - 1);
       return {static_cast<std::int64_t>(current_), item};
     }
     std::pop_heap(heap_.begin(), heap_.end());
@@ -50,7 +52,7 @@ class CostQueue {
 
  private:
   static constexpr std::int64_t kBuckets = 1024;
-  std::vector<std::vector<std::int32_t>> buckets_;
+  std::vector<Growing<std::int32_t>> buckets_;
   std::vector<std::pair<std::int64_t, std::int32_t>> heap_;  // (-cost, item): a max-heap
   std::size_t current_ = 0, used_ = 0, size_ = 0;
 };

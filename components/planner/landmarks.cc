@@ -48,7 +48,7 @@ void Landmarks::collect(const Word* initial, Budget& budget) {
     sets_[static_cast<std::size_t>(p)] = {p};
     wake(p, true);
   };
-  relaxed_->for_each_true(initial, given);
+  relaxed_->for_each_true(initial, budget, given);
   given(relaxed_->always());
   std::int64_t work = 0;
   std::vector<Proposition> needs, merged;

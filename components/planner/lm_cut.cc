@@ -40,7 +40,7 @@ void LmCut::explore(const Word* state, Budget& budget) {
   if (budget.check()) return;
   std::copy(precondition_count_.begin(), precondition_count_.end(), unsatisfied_.begin());
   queue_.clear();
-  relaxed_->for_each_true(state, [this](Literal literal) { reach(literal, 0); });
+  relaxed_->for_each_true(state, budget, [this](Literal literal) { reach(literal, 0); });
   reach(relaxed_->always(), 0);
   while (!queue_.empty() && !budget.poll()) {
     const auto [cost, p] = queue_.pop();
@@ -174,7 +174,7 @@ void LmCut::find_cut(const Word* state, Budget& budget) {
     mark = 1;
     stack_.push_back(p);
   };
-  relaxed_->for_each_true(state, visit);
+  relaxed_->for_each_true(state, budget, visit);
   visit(relaxed_->always());
   while (!stack_.empty() && !budget.poll()) {
     const Proposition p = stack_.back();

@@ -44,7 +44,7 @@ void RelaxedPlanner::explore(const Word* state, Budget& budget) {
   if (budget.stopped()) return;
   queue_.clear();
   applicable_.clear();
-  relaxed_->for_each_true(state, [this](Literal literal) { reach(literal, 0, -1); });
+  relaxed_->for_each_true(state, budget, [this](Literal literal) { reach(literal, 0, -1); });
   reach(relaxed_->always(), 0, -1);
   while (!queue_.empty() && !budget.poll()) {
     const auto [cost, p] = queue_.pop();

@@ -52,8 +52,9 @@ class RelaxedTask {
   }
   // Literals of atoms that the goal needs and that hold in `state`.
   template <class Visit>
-  void for_each_true(const Word* state, const Visit& visit) const {
+  void for_each_true(const Word* state, Budget& budget, const Visit& visit) const {
     for (const Literal literal : tracked_) {
+      if (budget.poll()) return;
       if (literal_holds(state, literal)) visit(literal);
     }
   }
