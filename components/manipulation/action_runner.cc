@@ -194,6 +194,7 @@ void ActionRunner::watch_motion(const executor::ExecutorStatus& status) {
     return;
   }
   const Phase& phase = phases_[phase_];
+  note_hindered(status.outcome != Outcome::kDone);
   if (status.outcome == Outcome::kDone) {
     bench_.set_command(sent_.joints, sent_.points.back().position);
   } else {
@@ -205,6 +206,15 @@ void ActionRunner::watch_motion(const executor::ExecutorStatus& status) {
   const double wait = phase.settle + (phase.check ? bench_.params().settle_time : 0.0);
   settled_at_ns_ = now_ns_ + static_cast<std::int64_t>(wait * 1e9);
   state_ = State::kSettling;
+}
+
+// The arm of the motion that has ended did, or did not, get through it.
+void ActionRunner::note_hindered(bool is) {
+  for (std::size_t arm = 0; arm < bench_.arm_count(); ++arm) {
+    const auto& joints = bench_.model().arms[arm].joints;
+    if (std::find(sent_.joints.begin(), sent_.joints.end(), joints.front()) != sent_.joints.end())
+      bench_.note_hindered(arm, is);
+  }
 }
 
 void ActionRunner::settle() {

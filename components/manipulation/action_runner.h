@@ -48,6 +48,7 @@ class ActionRunner {
   void plan_attempt();
   void next_phase(Orders& orders);
   void watch_motion(const executor::ExecutorStatus& status);
+  void note_hindered(bool is);
   void settle();
   void attempt_failed(const Error& why);
   void finish(Outcome outcome, const std::string& message);

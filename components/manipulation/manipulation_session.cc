@@ -160,6 +160,7 @@ void ManipulationSession::send_stop() {
 void ManipulationSession::start_waiting() {
   if (!waiting_ || current_ || !perception_.complete()) return;
   current_ = std::exchange(waiting_, {});
+  if (instruction_ != current_->instruction_id()) bench_.forget_hindrances();
   instruction_ = current_->instruction_id();
   interrupted_ = false;
   abandoned_ = false;

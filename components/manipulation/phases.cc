@@ -93,6 +93,7 @@ void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solu
   for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
     Phase tuck;
     tuck.stage = "tuck";
+    tuck.optional = bench.hindered(arm);
     tuck.plan = [arm](Workbench& b) -> Expected<JointTrajectory> {
       if (b.is_tucked(arm)) return JointTrajectory{};
       return b.tuck(arm);
@@ -156,7 +157,7 @@ void add_let_go(Phases& phases, const Workbench&, std::size_t arm, double more, 
   away.optional = true;
   away.plan = [arm, tolerances, further](Workbench& b) -> Expected<JointTrajectory> {
     const Pose tool = b.tool_pose(b.now(), arm);
-    for (const double distance : {0.10, 0.07, 0.05}) {
+    for (const double distance : {0.10, 0.07, 0.05, 0.04, 0.03}) {
       const Pose back = backed(tool, distance);
       if (further.norm() > 0) {
         auto motion = b.move_straight(arm, {back, moved(back, further)}, tolerances);

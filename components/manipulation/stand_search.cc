@@ -113,6 +113,7 @@ class Search {
     });
     if (!options.may_drive) return;
     for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
+      if (bench.hindered(arm)) continue;  // it may stay where it is
       if (const auto carry = bench.carry_posture(arm)) driving_ = bench.with_arm(driving_, arm, *carry);
     }
   }
@@ -255,7 +256,7 @@ class Search {
   const std::vector<Reach>& reaches_;
   const StandSearchOptions& options_;
   const std::size_t most_tries_;
-  const int most_failures_;  // of one reach
+  const int most_failures_;                     // of one reach
   Configuration driving_;                       // as now, arms as they are while the base moves
   std::vector<std::size_t> order_;              // reaches, best first
   std::vector<int> failures_;                   // by reach: stands from which it did not work
@@ -263,10 +264,8 @@ class Search {
   std::size_t tries_ = 0;
 };
 
-}  // namespace
-
-Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& reaches,
-                                   const StandSearchOptions& options) {
+Expected<ReachSolution> search_stand(Workbench& bench, const std::vector<Reach>& reaches,
+                                     const StandSearchOptions& options) {
   if (reaches.empty())
     return fail(Outcome::kMotionFailed, "there is no way to take hold of it or to put it there");
   Search search(bench, reaches, options);
@@ -289,6 +288,23 @@ Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& r
   }
   return fail(Outcome::kMotionFailed,
               "no place to stand from which a hand reaches it without touching something");
+}
+
+}  // namespace
+
+Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& reaches,
+                                   const StandSearchOptions& options) {
+  std::vector<std::size_t> unhindered;
+  for (std::size_t i = 0; i < reaches.size(); ++i)
+    if (!bench.hindered(reaches[i].arm)) unhindered.push_back(i);
+  if (!unhindered.empty() && unhindered.size() < reaches.size()) {
+    std::vector<Reach> some;
+    for (const std::size_t i : unhindered) some.push_back(reaches[i]);
+    auto solution = search_stand(bench, some, options);
+    if (solution) solution->reach = unhindered[solution->reach];
+    if (solution || solution.error().outcome == Outcome::kCancelled) return solution;
+  }
+  return search_stand(bench, reaches, options);
 }
 
 }  // namespace goalnet::manipulation

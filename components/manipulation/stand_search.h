@@ -37,7 +37,8 @@ struct StandSearchOptions {
   std::size_t most_tries = 6'000;  // in all: bounds the time of a search in vain (about 0.1 ms each)
 };
 
-// Looks at the present stand first, then at others by how soon they are reached. kMotionFailed if none works.
+// Looks at the present stand first, then at others by how soon they are reached; hindered arms only if no
+// other arm can. kMotionFailed if none works.
 Expected<ReachSolution> find_stand(Workbench& bench, const std::vector<Reach>& reaches,
                                    const StandSearchOptions& options);
 

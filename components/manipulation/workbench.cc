@@ -53,6 +53,7 @@ Expected<std::unique_ptr<Workbench>> Workbench::create(robot::RobotModel model, 
   out->lift_ = m.lift.empty() ? -1 : m.index_of(m.lift);
   out->held_.resize(m.arms.size());
   out->carry_.resize(m.arms.size());
+  out->hindered_.resize(m.arms.size());
   out->now_ = m.home();
   return out;
 }

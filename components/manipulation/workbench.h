@@ -78,6 +78,12 @@ class Workbench {
   bool leads_nowhere(const Stand& stand) const;
   bool leads_nowhere(const Stand& stand, std::size_t arm, const ArmPositions& posture) const;
 
+  // An arm that something kept from following its motion: tried last, and not waited for, until it has
+  // completed a motion or the next instruction comes.
+  void note_hindered(std::size_t arm, bool is) { hindered_[arm] = is; }
+  bool hindered(std::size_t arm) const { return hindered_[arm]; }
+  void forget_hindrances() { hindered_.assign(hindered_.size(), false); }
+
   void set_stop_check(std::function<bool()> stopped) { stopped_ = std::move(stopped); }
   bool stopped() const { return stopped_ && stopped_(); }
 
@@ -145,6 +151,7 @@ class Workbench {
   std::vector<std::optional<HeldObject>> as_perceived_;  // held_ while something else is supposed; else empty
   std::vector<std::optional<ArmPositions>> carry_;       // posture in which each arm was last tucked
   std::vector<DeadEnd> dead_ends_;
+  std::vector<bool> hindered_;  // by arm
   std::function<bool()> stopped_;
 };
 

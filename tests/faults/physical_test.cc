@@ -105,6 +105,24 @@ TEST_F(PhysicalFault, BothArmsAreBlockedForGood) {
   EXPECT_TRUE(holds("On Mug_1 Sink"));
 }
 
+// The arm that it began with, for good: the other one does the work.
+TEST_F(PhysicalFault, OneArmIsBlockedForGood) {
+  loop_->pursue(kMugInSink);
+  ASSERT_TRUE(run_until_action("grasp Mug_1"));
+  const double left = joint_position("left_arm_4"), right = joint_position("right_arm_4");
+  go_on(0.4);
+  const bool with_left =
+      std::abs(joint_position("left_arm_4") - left) > std::abs(joint_position("right_arm_4") - right);
+  loop_->world().freeze_joint(with_left ? "left_arm_4" : "right_arm_4", true);
+  ASSERT_TRUE(run_until([&] { return !loop_->world().held().empty(); })) << last_.message;
+  EXPECT_EQ(loop_->world().held().front().arm, with_left ? "right" : "left");
+  run_to_the_end();
+  EXPECT_EQ(last_.outcome, Outcome::kDone) << last_.message;
+  EXPECT_TRUE(holds("On Mug_1 Sink"));
+  expect_at_rest();
+  expect_nothing_presses();
+}
+
 TEST_F(PhysicalFault, AnArmIsBlockedForAWhile) {
   loop_->pursue(kMugInSink);
   ASSERT_TRUE(run_until_action("grasp Mug_1"));

@@ -34,6 +34,29 @@ TEST(ManipulationPhysics, AMugIsCarriedUnderTheRunningTap) {
   EXPECT_TRUE(harness->facts().contains({"state", "Mug_1", "Water"}));
 }
 
+// The tap's place is for whatever holds water, not only for what one pours from.
+TEST(ManipulationPhysics, ABowlIsPutUnderTheTap) {
+  const auto harness = kitchen(1);
+  for (const char* step : {"moveto", "grasp"}) expect_done(*harness, {step, {"Bowl_1"}});
+  expect_done(*harness, {"turn-on", {"SinkKnob"}});
+  expect_done(*harness, {"keep-on", {"Bowl_1", "Sink"}});
+  harness->wait(2.5);
+  EXPECT_TRUE(harness->facts().contains({"state", "Bowl_1", "Water"}));
+}
+
+// Between a wide tub and what stands behind the hand there is little room; the hand must let go all the same.
+TEST(ManipulationPhysics, ATubIsLetGoOfWhereItIsNarrow) {
+  const auto harness = kitchen(1);
+  expect_done(*harness, {"moveto", {"Fridge"}});
+  expect_done(*harness, {"open", {"FridgeRightDoor"}});
+  for (const char* step : {"moveto", "grasp"}) expect_done(*harness, {step, {"IceCream_1"}});
+  expect_done(*harness, {"moveto", {"Counter_1"}});
+  expect_done(*harness, {"keep-on", {"IceCream_1", "Counter_1"}});
+  harness->wait(0.5);
+  EXPECT_TRUE(harness->facts().contains({"On", "IceCream_1", "Counter_1"}));
+  EXPECT_FALSE(harness->facts().contains({"Grasping", "Robot", "IceCream_1"}));
+}
+
 TEST(ManipulationPhysics, ADoorIsPulledOpenByItsHandle) {
   const auto harness = kitchen(2);
   expect_done(*harness, {"open", {"Microwave"}});
