@@ -20,7 +20,12 @@ class ClauseParser {
   // Each reads from word `at` and returns the first word it did not use; `end` is the end of the sentence.
   std::size_t clause(std::size_t at, std::size_t end);
   std::size_t command(std::size_t at, std::size_t end, Mood mood);
+  std::size_t end_command(Clause clause, std::size_t at, std::size_t end);
   std::size_t argument(std::size_t at, std::size_t end, Clause& clause, Role& role, Where& where);
+  std::size_t listed(std::size_t at, std::size_t end, Clause& clause, Role& role, Where& where);
+  bool leaves_command(std::size_t at, std::size_t next, std::size_t end, const Clause& clause) const;
+  bool begins_anew(std::size_t at, std::size_t next, std::size_t done, std::size_t end, const Clause& clause,
+                   const NounPhrase& phrase, bool direct) const;
   std::size_t particle(std::size_t at, std::size_t end, Clause& clause, Role& role);
   std::size_t statement(std::size_t at, std::size_t end);
   std::size_t predicate(std::size_t at, std::size_t end, Clause& clause, bool desired, bool negative);

@@ -1,0 +1,70 @@
+// What a command means once all of it is read: the state that is wanted, what was said before it.
+#include <algorithm>
+
+#include "components/goalnet/language/clause_parser.h"
+
+namespace goalnet::inference {
+
+std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t end) {
+  if (!clause.state.empty() && language_.wanted_by_state(clause.state) != Frame::kNone &&
+      clause.mood != Mood::kStatement) {
+    // "do not leave the tap on" wants it off
+    if (clause.mood == Mood::kForbidden) {
+      if (const std::string opposite = language_.opposite_state(clause.state); !opposite.empty())
+        clause.state = opposite, clause.mood = Mood::kCommand;
+    }
+    clause.frame = language_.wanted_by_state(clause.state);
+    clause.verb = clause.state;
+  }
+  // "take a cup to the sink, then take the other one too"
+  if (language_.hears_people() && !clause.words.empty() && clause.words.back() == "too" &&
+      clause.mood == Mood::kCommand && clause.first(Role::kDestination) == nullptr &&
+      clause.first(Role::kDirect) != nullptr && !result_.clauses.empty() &&
+      (clause.frame == Frame::kTake || clause.frame == Frame::kBring || clause.frame == Frame::kPlace)) {
+    const Clause& before = result_.clauses.back();
+    const NounPhrase* there = before.mood == Mood::kCommand ? before.first(Role::kDestination) : nullptr;
+    const bool same =
+        clause.verb == before.verb || clause.verb == "take" || clause.verb == "put" || clause.verb == "move";
+    if (same && there != nullptr)
+      clause.phrases.push_back(*there), clause.frame = before.frame, clause.verb = before.verb;
+  }
+  // "the news is on channel 1, put it on"
+  if (Clause* told = result_.clauses.empty() ? nullptr : &result_.clauses.back();
+      told != nullptr && told->mood == Mood::kStatement && told->frame == Frame::kChange &&
+      clause.has_particle("on") && clause.first(Role::kDirect) != nullptr &&
+      clause.first(Role::kDirect)->pronoun) {
+    told->asked = true;
+    return i;
+  }
+  // "it goes on the shelf, put it back": there, wherever it stood
+  const auto last_asked = std::find_if(result_.clauses.rbegin(), result_.clauses.rend(),
+                                       [](const Clause& c) { return c.mood == Mood::kCommand; });
+  const bool belongs = language_.hears_people() ? last_asked != result_.clauses.rend() && last_asked->belongs
+                                                : !result_.clauses.empty() && result_.clauses.back().belongs;
+  if (belongs && (clause.has_particle("back") || (language_.hears_people() && !clause.to_person)) &&
+      (clause.frame == Frame::kPlace || (language_.hears_people() && clause.frame == Frame::kBring)) &&
+      clause.phrases.size() == 1 && clause.phrases.front().pronoun && clause.mood == Mood::kCommand)
+    return i;
+  if (clause.frame == Frame::kChange)  // "I wonder what is on channel two, switch over"
+    for (Clause& told : result_.clauses)
+      if (told.mood == Mood::kStatement && told.frame == Frame::kChange && told.wish &&
+          std::none_of(clause.phrases.begin(), clause.phrases.end(),
+                       [](const NounPhrase& phrase) { return phrase.number > 0 || phrase.ordinal > 0; })) {
+        told.asked = true;
+        return i;
+      }
+  // "I'm cold, shut... never mind. Bring me a pillow."
+  if (clause.phrases.empty() && clause.particles.empty() && i >= end && end + 1 < words_.size() &&
+      (clause.frame == Frame::kClose || clause.frame == Frame::kOpen || clause.frame == Frame::kPlace ||
+       clause.frame == Frame::kTake || clause.frame == Frame::kBring))
+    clause.weak = true;
+  // "I need a break, turn on the tv"
+  if (clause.wish && (i >= end || words_[i] == ","))
+    clause.weak =
+        clause.weak || std::any_of(clause.phrases.begin(), clause.phrases.end(),
+                                   [](const NounPhrase& phrase) { return phrase.unknown || phrase.bare(); });
+  add(std::move(clause));
+  return i;
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,123 @@
+// What follows a comma or an "and" inside a command: more things, things with places of their own, or something that
+// is no part of the command any more.
+#include <algorithm>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+namespace {
+
+// Frames whose things stay where they are.
+bool puts_nothing(Frame frame) {
+  return frame == Frame::kPlay || frame == Frame::kGo || frame == Frame::kMute || frame == Frame::kRaise ||
+         frame == Frame::kLower || frame == Frame::kChange || frame == Frame::kTry || frame == Frame::kOpen ||
+         frame == Frame::kClose || frame == Frame::kStop || frame == Frame::kStart || frame == Frame::kTurn;
+}
+
+bool is_direction(const std::string& word) {
+  return word == "on" || word == "off" || word == "up" || word == "down";
+}
+
+}  // namespace
+
+// Whether what begins at `next`, behind the join at `i`, is no part of the command.
+bool ClauseParser::leaves_command(std::size_t i, std::size_t next, std::size_t end,
+                                  const Clause& clause) const {
+  if (next >= end || starts_clause(next, end)) return true;
+  const bool comma = words_[i] == ",";
+  if (comma && tells_time(next, part_end(next, end))) return true;  // "bring the mug, bus in an hour"
+  if (!language_.hears_people()) return false;
+  if (comma && one_of(words_[next], kSubjects) && !one_of(words_[next], kPointers) &&
+      tells(next, part_end(next, end)) && !is_pronoun(words_[next]))
+    return true;  // "mute, I am on a call"
+  if (NounPhrase thing, there; comma && clause.phrases.empty() && puts_nothing(clause.frame)) {
+    const std::size_t done = reader_.read(next, end, thing);  // "play, xbox on the coffee table"
+    if (done != next && reader_.read_place(done, end, there) != done) return true;
+  }
+  if (number_word(words_[next]) > 0 && next + 1 < end && language_.copula(words_[next + 1]))
+    return true;  // "burner two, three is broken"
+  return comma && clause.verb == "leave" && words_[next - 1] == "but";
+}
+
+// Whether `phrase`, read from `next` to `done`, begins something else than one more thing of the command.
+bool ClauseParser::begins_anew(std::size_t i, std::size_t next, std::size_t done, std::size_t end,
+                               const Clause& clause, const NounPhrase& phrase, bool direct) const {
+  const bool comma = words_[i] == ",";
+  const bool subject = one_of(words_[next], kSubjects) || one_of(words_[next], kArticles) || phrase.person;
+  if (subject && tells(next, part_end(next, end)) && !reader_.starts(done, end)) return true;
+  const bool statement_follows = done < end && (language_.copula(words_[done]) || phrase.person);
+  if (statement_follows && skip_joins(done, end) == done) return true;
+  // "a book, the one on the shelf": tells which book
+  if (NounPhrase place; comma && words_[next] == "the" && words_[next + 1] == "one" &&
+                        ends_here(std::max(done, reader_.read_place(done, end, place)), end) &&
+                        !(phrase.at.empty() && place.bare()))
+    return true;
+  NounPhrase place;
+  const bool place_behind = reader_.read_place(done, end, place) != done;
+  // "take a beer and a coke, both to the table"
+  if (phrase.pronoun && phrase.plural && comma && place_behind) return true;
+  // "switch burner 4 off and burner 1 on", "channel 2, volume down"
+  const bool has_direction = std::any_of(clause.particles.begin(), clause.particles.end(), is_direction);
+  if (done < end && is_direction(words_[done]) &&
+      (done + 1 >= end || language_.joins(words_[done + 1]) || ends_here(done + 1, end)) &&
+      (has_direction || clause.frame != Frame::kTurn))
+    return true;
+  // "turn off the tv, books on the shelf": the second part has no verb
+  return direct && phrase.role != Role::kExcept && comma && puts_nothing(clause.frame) && place_behind;
+}
+
+// Reads on behind the join at `i`; `i` where the command ends here.
+std::size_t ClauseParser::listed(std::size_t i, std::size_t end, Clause& clause, Role& role, Where& where) {
+  const std::size_t next = skip_joins(i, end);
+  if (next < end && words_[next] == "not" && !opens_command(next + 1, end) && reader_.starts(next + 1, end))
+    return next;
+  if (leaves_command(i, next, end, clause)) return i;
+  if (NounPhrase with; language_.hears_people() && words_[next] == "with" && !clause.phrases.empty()) {
+    const std::size_t done = reader_.read(next + 1, end, with);  // "..., with the beer beside it"
+    if (done != next + 1 && !opens_command(done, end)) return next;
+  }
+  NounPhrase phrase;
+  const std::size_t done = reader_.read(next, end, phrase);
+  if (done != next && !clause.phrases.empty()) {
+    for (std::size_t k = i; k < next; ++k) {
+      phrase.alternative = phrase.alternative || words_[k] == "or";
+      if (words_[k] == "except" || words_[k] == "but") phrase.role = Role::kExcept;
+    }
+    if (begins_anew(i, next, done, end, clause, phrase, role == Role::kDirect)) return i;
+    // "put the mug in the sink and the glass on the counter": the verb counts again
+    NounPhrase place;
+    const bool swaps = language_.hears_people() && clause.frame == Frame::kSwap;
+    if (role == Role::kDestination && phrase.role != Role::kExcept && done < end && !swaps &&
+        reader_.read_place(done, end, place) != done) {
+      Clause again;
+      again.mood = clause.mood, again.verb = clause.verb, again.frame = clause.frame,
+      again.words = {clause.verb};
+      add(std::move(clause));
+      clause = std::move(again);
+      role = Role::kDirect, where = Where::kTo;
+    }
+    phrase.joined = role == Role::kDestination;
+    // a list goes on; after "with X and Y" or "on X and Y" only where nothing moves to a place of its own
+    if (phrase.role != Role::kExcept) phrase.role = role;
+    phrase.where = where;
+    clause.phrases.push_back(std::move(phrase));
+    return done;
+  }
+  if (!clause.phrases.empty() && !reader_.starts(next, end) && !place_preposition(words_[next]) &&
+      !one_of(words_[next], kParticles) && !harmless(next) && !language_.known(words_[next])) {
+    if (one_of(words_[next - 1], kDeterminers)) {  // "the mug and the torch": a thing
+      NounPhrase thing;
+      thing.role = role, thing.where = where, thing.word = words_[next], thing.unknown = true;
+      clause.phrases.push_back(std::move(thing));
+    } else {
+      clause.unknown.push_back(words_[next]);
+    }
+  }
+  return std::max(next, i + 1);
+}
+
+}  // namespace goalnet::inference
