@@ -33,6 +33,8 @@ struct Clause {
   bool reason = false;     // weak, and mostly why something else is asked: "I want to sit down, ..."
   // "if the tap is on, ...": the statement that must hold; empty: no condition.
   std::vector<Clause> condition;
+  int condition_number = 0;  // commands of the same one are judged once, before any of them is done
+  bool otherwise = false;    // "..., otherwise ...": where the condition does not hold
 
   bool has(const std::string& word) const;
   bool has_particle(const std::string& word) const;

@@ -103,6 +103,8 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     clause.phrases.push_back(it);
     return i + 1;
   }
+  if (language_.hears_people() && word == "first" && !clause.phrases.empty() && ends_here(i + 1, end))
+    return i + 1;  // "fill it first"
   if (word == "here") {
     clause.to_person = true;
     return i + 1;

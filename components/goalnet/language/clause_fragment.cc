@@ -38,6 +38,28 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     clause.phrases.push_back(more);
     i = done;
   }
+  // "all the cups except the mug to the sink"
+  if (NounPhrase left_out; language_.hears_people() && i < end && (words_[i] == "except" || words_[i] == "but")) {
+    const std::size_t from = i + 1 < end && words_[i + 1] == "for" ? i + 2 : i + 1;
+    const std::size_t done = reader_.read(from, end, left_out);
+    if (done != from && !left_out.person && !left_out.unknown && done < end &&
+        (place_preposition(words_[done]) || words_[done] == "off" || words_[done] == "from")) {
+      left_out.role = Role::kExcept;
+      clause.phrases.push_back(std::move(left_out));
+      i = done;
+    }
+  }
+  // "a bowl of ice cream with syrup please"
+  if (NounPhrase with; language_.hears_people() && i < end && words_[i] == "with" &&
+                       language_.content(subject.content.empty() ? subject.phrase : subject.content) !=
+                           symbol::kNone) {
+    const std::size_t done = reader_.read(i + 1, end, with);
+    if (done != i + 1 && !with.person && !with.unknown && !with.pronoun) {
+      with.role = Role::kWith;
+      clause.phrases.push_back(std::move(with));
+      i = done;
+    }
+  }
   while (i < end && words_[i] == "from") {  // "pillow from armchair 2 to the couch"
     NounPhrase source;
     const std::size_t done = reader_.read(i + 1, end, source, true);
@@ -182,6 +204,13 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     }
     place.role = Role::kDestination;
     clause.phrases.push_back(place);
+    for (NounPhrase more; language_.hears_people() && last + 1 < end && words_[last] == "and"; more = {}) {
+      const std::size_t after = reader_.read(last + 1, end, more, true);  // "on armchair 4 and the couch"
+      if (after == last + 1 || !lexicon_->is_place_name(more.phrase) || !ends_here(after, end)) break;
+      more.role = Role::kDestination, more.where = place.where, more.joined = true;
+      clause.phrases.push_back(more);
+      last = after;
+    }
     add(std::move(clause));
     return last;
   }

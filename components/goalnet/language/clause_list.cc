@@ -80,6 +80,22 @@ std::size_t ClauseParser::listed(std::size_t i, std::size_t end, Clause& clause,
     const std::size_t done = reader_.read(next + 1, end, with);  // "..., with the beer beside it"
     if (done != next + 1 && !opens_command(done, end)) return next;
   }
+  // "I want the kettle filled and on the stove"
+  if (NounPhrase there; language_.hears_people() && clause.mood == Mood::kCommand && clause.first(Role::kDirect) != nullptr &&
+                        (!clause.state.empty() || language_.participle(words_[i - 1]))) {
+    const std::size_t done = reader_.read_place(next, end, there);
+    if (done != next && !there.person && !there.hand && ends_here(done, end)) {
+      Clause placed;
+      placed.frame = Frame::kPlace, placed.verb = "put", placed.words = {"put"};
+      NounPhrase it = *clause.first(Role::kDirect);
+      it.at.clear();
+      there.role = Role::kDestination;
+      placed.phrases = {std::move(it), std::move(there)};
+      end_command(std::move(clause), next, end);
+      clause = std::move(placed);
+      return done;
+    }
+  }
   NounPhrase phrase;
   const std::size_t done = reader_.read(next, end, phrase);
   if (done != next && !clause.phrases.empty()) {

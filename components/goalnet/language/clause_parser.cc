@@ -63,7 +63,10 @@ void ClauseParser::for_later() {
 }
 
 void ClauseParser::add(Clause clause) {
-  if (clause.mood == Mood::kCommand && clause.condition.empty()) clause.condition = condition_;
+  if (clause.mood == Mood::kCommand && clause.condition.empty()) {
+    clause.condition = conditional_.condition;
+    clause.condition_number = conditional_.condition_number, clause.otherwise = conditional_.otherwise;
+  }
   if (insert_before_ < result_.clauses.size()) {
     // "before putting the mug away, wash it": "it" was named by the clause that is done later
     name_pronouns(clause, result_.clauses[insert_before_]);
@@ -95,7 +98,7 @@ ParsedSentence ClauseParser::parse() {
       at = std::max(next, at + 1);
     }
     fronted_.clear();
-    condition_.clear();
+    conditional_ = {};
     begin = end + 1;
   }
   return std::move(result_);

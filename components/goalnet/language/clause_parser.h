@@ -34,6 +34,8 @@ class ClauseParser {
   std::size_t fragment(std::size_t at, std::size_t end);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
+  std::size_t condition(std::size_t at, std::size_t end);
+  std::size_t otherwise(std::size_t at, std::size_t end);
   std::size_t forbidden(std::size_t at, std::size_t end);
   std::size_t ensured(std::size_t at, std::size_t end);
   std::size_t done_that(std::size_t at, std::size_t end);
@@ -75,7 +77,8 @@ class ClauseParser {
   NounPhraseReader reader_;
   ParsedSentence result_;
   std::size_t insert_before_ = SIZE_MAX;  // where the next clause belongs ("before doing A, do B")
-  std::vector<Clause> condition_;         // of the commands of this sentence
+  Clause conditional_;                    // whose condition the commands of this sentence are under
+  int conditions_ = 0;                    // so far
   bool ensured_ = false;                  // "make sure that ..."
   std::vector<NounPhrase> fronted_;       // "in the sink, put ..."
 };

@@ -16,6 +16,8 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
   std::size_t i = at;
   while (i < end && !language_.joins(words_[i]) && words_[i] != "so") {
     const std::string& word = words_[i];
+    // "should be off when I get back", "should be in the sink if it is dirty"
+    if (language_.hears_people() && i > at && (word == "when" || word == "if" || word == "unless")) return i;
     NounPhrase place;
     if (language_.hears_people() && word == "not" &&
         clause.mood == Mood::kCommand) {  // "..., not on the stove"

@@ -9,33 +9,52 @@ namespace goalnet::inference {
 using namespace word_group;
 using std::string_view_literals::operator""sv;
 
+// "if the tap is on, turn it off"; `at` where nothing that could be judged follows.
+std::size_t ClauseParser::condition(std::size_t at, std::size_t end) {
+  ClauseParser inner(*all_words_, language_, *lexicon_);
+  std::size_t stop = at + 1;
+  while (stop < end && words_[stop] != "," && words_[stop] != "then" &&
+         !(language_.hears_people() && words_[stop] == "otherwise") &&
+         !(stop > at + 2 && opens_command(stop, end) &&
+           language_.wanted_by_state(words_[stop]) == Frame::kNone))
+    ++stop;
+  const std::size_t done = inner.statement(at + 1, stop);
+  if (done < stop || !inner.result_.stray.empty() || inner.result_.clauses.size() != 1) return at;
+  Clause clause = inner.result_.clauses.front();
+  const bool says =
+      !clause.state.empty() ||
+      (!clause.phrases.empty() && (!clause.phrases.front().at.empty() ||
+                                   (language_.hears_people() && !clause.phrases.front().content.empty())));
+  if (clause.mood != Mood::kStatement || clause.frame != Frame::kNone || !says) return at;
+  clause.negative = clause.negative != (words_[at] == "unless");
+  const bool otherwise_follows =
+      language_.hears_people() && skip_joins(stop, end) < end && words_[skip_joins(stop, end)] == "otherwise";
+  const bool trails = stop >= end || otherwise_follows;  // "close it if it is open(, otherwise ...)"
+  Clause& under = !result_.clauses.empty() && trails ? result_.clauses.back() : conditional_;
+  under.condition = {clause};
+  under.condition_number = ++conditions_, under.otherwise = false;
+  return stop;
+}
+
+// "..., otherwise fill the glass": what is to be done where the last condition does not hold.
+std::size_t ClauseParser::otherwise(std::size_t at, std::size_t end) {
+  const auto last = std::find_if(result_.clauses.rbegin(), result_.clauses.rend(),
+                                 [](const Clause& clause) { return clause.condition_number > 0; });
+  if (!language_.hears_people()) return at;
+  if (last == result_.clauses.rend())  // "is the stove off? if not, turn it off"
+    return !result_.clauses.empty() && result_.clauses.back().mood == Mood::kQuestion ? skip_joins(at + 1, end) : at;
+  conditional_.condition = last->condition, conditional_.condition_number = last->condition_number;
+  conditional_.otherwise = !last->otherwise;
+  return skip_joins(at + 1, end);
+}
+
 std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
   const std::string& word = words_[at];
   const std::size_t count = result_.clauses.size();
-  if ((word == "if" || word == "unless") && at + 1 < end) {  // "if the tap is on, turn it off"
-    ClauseParser inner(*all_words_, language_, *lexicon_);
-    std::size_t stop = at + 1;
-    while (stop < end && words_[stop] != "," && words_[stop] != "then" &&
-           !(stop > at + 2 && opens_command(stop, end) &&
-             language_.wanted_by_state(words_[stop]) == Frame::kNone))
-      ++stop;
-    const std::size_t done = inner.statement(at + 1, stop);
-    if (done >= stop && inner.result_.stray.empty() && inner.result_.clauses.size() == 1) {
-      Clause clause = inner.result_.clauses.front();
-      const bool says =
-          !clause.state.empty() || (!clause.phrases.empty() &&
-                                    (!clause.phrases.front().at.empty() ||
-                                     (language_.hears_people() && !clause.phrases.front().content.empty())));
-      if (clause.mood == Mood::kStatement && clause.frame == Frame::kNone && says) {
-        clause.negative = clause.negative != (word == "unless");
-        if (count > 0 && stop >= end)
-          result_.clauses.back().condition = {clause};
-        else
-          condition_ = {clause};
-        return stop;
-      }
-    }
-  }
+  if ((word == "if" || word == "unless") && at + 1 < end)
+    if (const std::size_t stop = condition(at, end); stop != at) return stop;
+  if (word == "otherwise")
+    if (const std::size_t next = otherwise(at, end); next != at) return next;
   // "if you are not busy", "when you have time", "if I may"
   static constexpr std::array kPolite = {"can"sv,  "could"sv,  "would"sv, "will"sv, "are"sv,    "have"sv,
                                          "get"sv,  "want"sv,   "like"sv,  "feel"sv, "happen"sv, "do"sv,

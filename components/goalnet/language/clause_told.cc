@@ -46,7 +46,7 @@ bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
   for (std::size_t i = at + 1; i < stop && i <= at + kLongestSubject; ++i) {
     const std::string& word = words_[i];
     if (language_.copula(word) || word == "not") return true;
-    if (word == "please") continue;
+    if (word == "please" || (language_.hears_people() && word == "except")) continue;
     if (word.size() > 4 && word.ends_with("ed") && reader_.name_length(i) == 0) return true;  // "beeped"
     const bool noun_before = !one_of(words_[i - 1], kDeterminers) && !one_of(words_[i - 1], kArticles) &&
                              !place_preposition(words_[i - 1]);

@@ -76,20 +76,11 @@ std::string FrameActions::add(const Clause& clause) {
   if (!clause.unknown.empty()) return language_.unknown_word(clause.unknown.front());
   for (const NounPhrase& phrase : clause.phrases)
     if (phrase.unknown) return unknown_name(phrase.word);
-  for (Clause condition : clause.condition) {
-    Problem problem;
-    // "switch on the tv, unless it is on": the tv
-    if (const NounPhrase* named = clause.first(Role::kDirect);
-        condition.phrases.front().pronoun && history_.empty() && named != nullptr && !named->pronoun)
-      condition.phrases.front() = *named;
-    const bool so = holds(condition, problem);
-    if (!problem.empty()) return problem;
-    notice(condition);
-    if (!so) return {};
-  }
+  Problem problem;
+  if (const bool asked = wanted(clause, problem); !asked || !problem.empty()) return problem;
   const SymState before = now_;
   const std::size_t count = macros_.size();
-  const Problem problem = dispatch(clause);
+  problem = dispatch(clause);
   if (!problem.empty()) {
     now_ = before;
     macros_.resize(count);

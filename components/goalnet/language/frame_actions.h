@@ -67,6 +67,8 @@ class FrameActions {
   bool holds(const Clause& statement, Problem& problem);
   // Whether it is on, open, full, ... now; nothing for states that no fact tells.
   std::optional<bool> is_so(Symbol object, const std::string& state) const;
+  // Whether the clause is to be done, by its condition.
+  bool wanted(const Clause& clause, Problem& problem);
 
   // frame_moves.cc: carrying things about
   Problem go(const Clause& clause);
@@ -79,6 +81,10 @@ class FrameActions {
   bool is_home(Symbol object, Symbol place) const;
   static NounPhrase it();
   bool lexicon_place(const NounPhrase& phrase);  // names furniture or fixtures, nothing that moves
+  std::optional<Problem> put_on_each(const Clause& clause);
+  std::optional<Problem> put_content(const Clause& clause, const NounPhrase& thing,
+                                     const NounPhrase& destination, const Objects& vessels);
+  Problem put_with(const NounPhrase& with, Symbol object, Where where);
   Problem put_at(const Clause& clause, const Objects& objects, const NounPhrase& destination);
   Problem discard(const Clause& clause);
   Problem release(const Clause& clause);
@@ -123,6 +129,7 @@ class FrameActions {
   std::string content_told_;      // "there is coffee in the mug": "it" may mean the coffee
   Objects taken_;                 // in the hands because somebody wants it there
   Objects mass_;                  // "everything", newest: "it" means all of that
+  std::vector<std::pair<int, bool>> judged_;  // conditions by their numbers, and whether they held
   mutable Problem missing_;       // the last that said so; see names_missing_thing()
   bool at_home_;                  // see FrameReader
   bool closes_tap_;

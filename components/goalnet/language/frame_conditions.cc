@@ -59,6 +59,28 @@ std::optional<bool> FrameActions::is_so(Symbol object, const std::string& state)
   return std::nullopt;
 }
 
+bool FrameActions::wanted(const Clause& clause, Problem& problem) {
+  for (Clause condition : clause.condition) {
+    // "if the tap is on, turn it off and bring me the mug": as it was before anything was done
+    const auto known = std::find_if(judged_.begin(), judged_.end(), [&](const auto& judged) {
+      return at_home_ && judged.first == clause.condition_number;
+    });
+    bool so = known != judged_.end() && known->second;
+    if (known == judged_.end()) {
+      // "switch on the tv, unless it is on": the tv
+      if (const NounPhrase* named = clause.first(Role::kDirect);
+          condition.phrases.front().pronoun && history_.empty() && named != nullptr && !named->pronoun)
+        condition.phrases.front() = *named;
+      so = holds(condition, problem);
+      if (!problem.empty()) return false;
+      notice(condition);
+      judged_.emplace_back(clause.condition_number, so);
+    }
+    if (so == clause.otherwise) return false;
+  }
+  return true;
+}
+
 // Whether "the tap is on", "the mug is in the sink" is so now.
 bool FrameActions::holds(const Clause& statement, Problem& problem) {
   const NounPhrase& subject = statement.phrases.front();

@@ -67,7 +67,8 @@ std::string FrameActions::make(const Clause& clause) {
       if (vessel == kNone) return not_here("there is no coffee here");
       remember({vessel});
       if (problem = fill_one(vessel, kCoffee); !problem.empty()) return problem;
-      if (hot) return heat_objects({vessel}, resolver_.exists(kMicrowave), nullptr);
+      if (hot) problem = heat_objects({vessel}, resolver_.exists(kMicrowave), nullptr);
+      if (!problem.empty() || (hot && !at_home_)) return problem;
       return now_.holds(vessel) ? Problem{} : act({Verb::kGrasp, vessel});
     case kCoke:
     case kEnergyDrink:
@@ -105,9 +106,9 @@ std::string FrameActions::make(const Clause& clause) {
     bool done = false;
     if (problem = add_content(phrase, vessel, done); !problem.empty()) return problem;
   }
-  // "bring me a bowl of ice cream"; with a topping both hands and the tray are full already
+  // "bring me a bowl of ice cream"
   const bool brought = clause.frame == Frame::kTake || clause.frame == Frame::kBring;
-  if (at_home_ && brought && clause.first(Role::kWith) == nullptr) return take_up(vessel);
+  if (at_home_ && brought) return take_up(vessel);
   return {};
 }
 

@@ -99,7 +99,7 @@ std::string FrameActions::put(const Clause& said) {
         break;
       }
   // Of two places the first says where it is: "put the cup on the counter in the sink".
-  if (places_said > 1)
+  if (places_said > 1 && !(at_home_ && destination->joined))
     for (NounPhrase& phrase : clause.phrases)
       if (phrase.role == Role::kDestination && &phrase != destination) phrase.role = Role::kSource;
 
@@ -151,58 +151,19 @@ std::string FrameActions::put(const Clause& said) {
     }
   }
 
-  // Contents are poured, shaken or scooped; only vessels are carried.
-  const Symbol content = thing->pronoun ? Symbol{kNone} : language_.content(thing->phrase);
   const auto vessels = destination->pronoun  ? pronoun(*destination, Sort::kPlace, {})
                        : destination->bare() ? Objects{}
                                              : resolver_.options(*destination, Sort::kPlace, now_);
   const bool into_dish =
       !vessels.empty() && (resolver_.is_vessel(vessels.front()) || resolver_.class_of(vessels.front())->dish);
-  // "put the noodles into the kettle with some water"
-  const auto with_the_rest = [&](const Problem& so_far) {
+  if (const auto content = put_content(clause, *thing, *destination, vessels)) {
+    // "put the noodles into the kettle with some water"
     const NounPhrase* with = clause.first(Role::kWith);
-    if (!so_far.empty() || with == nullptr || !into_dish || vessels.empty()) return so_far;
+    if (!content->empty() || with == nullptr || !into_dish) return *content;
     bool done = false;
     return add_content(*with, history_.empty() ? vessels.front() : history_.back().front(), done);
-  };
-  if (content != kNone && into_dish && thing->content.empty()) {
-    // "I want boiling water in the kettle": where none is hot yet it is heated there
-    if (content == kWater && (thing->has("boiling") || thing->has("hot")) &&
-        resolver_.is_vessel(vessels.front())) {
-      const Symbol has = vessel_with(kWater);
-      if (has == kNone || !now_.is(has, ktemperatureHigh)) return with_the_rest(heat(clause, false));
-    }
-    if (content == kWater || content == kCoffee) return with_the_rest(pour(clause));
-    if (content == kIceCream) return with_the_rest(scoop(clause));
-    // "serve coke in a glass": a can does not go into a glass, what it holds does
-    const bool drink = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
-    if (drink && destination->where != Where::kOn && destination->where != Where::kNear)
-      return with_the_rest(pour(clause));
-    if (content == kSalt || content == kChocolate || content == kVanilla || content == kRamen ||
-        content == kEgg || thing->some) {
-      Clause only = clause;
-      std::erase_if(only.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kWith; });
-      return with_the_rest(add_to(only));
-    }
   }
-  if (content == kWater && !into_dish && vessel_with(kWater) == kNone) {
-    if (!vessels.empty() && vessels.front() == kSink)
-      return turn_on(kSinkKnob, true, 0);  // "let water into the sink"
-    const bool hot = vessels.empty() || resolver_.is_of_class(vessels.front(), "burner");
-    if (hot) return heat(clause, true);
-  }
-
-  // "serve the ginger ale in the glass": what a can holds, not the can
-  if (into_dish && content == kNone && !thing->pronoun && !thing->bare() && !thing->everything &&
-      destination->where != Where::kOn && destination->where != Where::kNear) {
-    const auto cans = resolver_.options(*thing, Sort::kVessel, now_);
-    if (!cans.empty() && resolver_.class_of(cans.front())->drink &&
-        std::any_of(now_.facts().begin(), now_.facts().end(), [&](SymFact fact) {
-          return relation_of(fact) == Relation::kState && subject_of(fact) == cans.front() &&
-                 object_of(fact) >= kWater && object_of(fact) <= kSalt;
-        }))
-      return with_the_rest(pour(clause));
-  }
+  if (const auto on_each = put_on_each(clause)) return *on_each;
   // "a pillow on each couch": as many as there are couches; "two pillows on each couch": twice as many
   if (destination->all && !thing->pronoun && !thing->plural && thing->count < 2 && !thing->all &&
       vessels.size() > 1) {
@@ -222,91 +183,13 @@ std::string FrameActions::put(const Clause& said) {
   moves_ = false;
   if (!problem.empty()) return problem;
   if (const NounPhrase* with = clause.first(Role::kWith);
-      at_home_ && with != nullptr && !with->at.empty() && with->at.front().pronoun && !objects.empty()) {
-    // "put the plate on the table, with the beer beside it"
-    const bool on_it = with->at.front().where == Where::kOn || with->at.front().where == Where::kIn;
-    const Objects more = resolver_.chosen(*with, resolver_.options(
-                                                     [&] {
-                                                       NounPhrase plain = *with;
-                                                       plain.at.clear();
-                                                       return plain;
-                                                     }(),
-                                                     Sort::kMovable, now_));
-    const Symbol target = on_it ? objects.front() : resolver_.place_of(objects.front(), now_);
-    if (more.empty()) return unknown_thing(*with, Sort::kMovable);
-    if (target == kNone) return "it is not clear where to put " + with->word;
-    for (const Symbol object : more)
-      if (problem = keep(object, target, on_it ? with->at.front().where : destination->where);
-          !problem.empty())
-        return problem;
-    return {};
-  }
+      at_home_ && with != nullptr && !with->at.empty() && with->at.front().pronoun && !objects.empty())
+    return put_with(*with, objects.front(), destination->where);
   if (const NounPhrase* with = clause.first(Role::kWith);
       with != nullptr && !last_destination_.empty() && into_dish) {
     bool done = false;
     return add_content(*with, last_destination_.front(), done);
   }
-  return {};
-}
-
-std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
-                                 const NounPhrase& destination) {
-  Problem problem;
-  Objects targets;
-  Where where = destination.where;
-  if (where == Where::kNear) {
-    // beside a thing: on what it stands on; beside a fixture: on the counter
-    Objects beside = destination.pronoun ? pronoun(destination, Sort::kAny, objects) : Objects{};
-    if (!destination.pronoun && !destination.bare())
-      beside = resolver_.options(destination, Sort::kAny, now_);
-    std::erase_if(beside, [&](Symbol object) { return contains(objects, object); });
-    if (beside.empty()) return unknown_thing(destination, Sort::kAny);
-    Symbol support = resolver_.place_of(beside.front(), now_);
-    const bool fixture = beside.front() == kSink || beside.front() == kSinkKnob || beside.front() == kStove ||
-                         beside.front() == kMicrowave || beside.front() == kFridge;
-    if (support == kNone && (fixture || now_.has(Relation::kIsGraspable, beside.front())))
-      support = surface();
-    if (support == kNone)
-      return "there is nothing beside " + resolver_.name(beside.front()) + " to put things on";
-    targets = {support};
-    where = now_.has(Relation::kIn, beside.front(), support) ? Where::kIn : Where::kOn;
-  } else {
-    targets = places(destination, objects, objects.size(), problem);
-  }
-  if (!problem.empty()) return problem;
-  if (where == Where::kUnder && targets.front() != kSink)
-    return "things cannot be put under " + resolver_.name(targets.front());
-  if (destination.pronoun && destination.word != "there" && where == Where::kTo) where = Where::kOn;
-  // Where the place is not said exactly, what is there already may stay.
-  Objects all = destination.pronoun ? targets : resolver_.options(destination, Sort::kPlace, now_);
-  if (destination.ordinal > 0 || destination.number > 0 || where == Where::kNear) all = targets;
-  const bool one_each = destination.all && objects.size() <= targets.size();
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Symbol object = objects[i];
-    Symbol target = targets[i % targets.size()];
-    if (!one_each && objects.size() > 1 && !clause.has("one") &&
-        contains(all, resolver_.place_of(object, now_)))
-      continue;
-    if (!destination.all && destination.count < 2) {
-      target = targets.front();
-      // several things, one burner each
-      if (objects.size() > 1 && resolver_.is_of_class(target, "burner")) target = burner_for(object);
-    }
-    if (object == kSalt_1 && (resolver_.is_vessel(target) || resolver_.class_of(target)->dish)) {
-      if (problem = act({Verb::kAdd, object, target}); !problem.empty()) return problem;
-      continue;
-    }
-    if (now_.has(Relation::kIsSqueezeable, object) &&
-        (resolver_.is_vessel(target) || resolver_.class_of(target)->dish)) {
-      if (problem = act({Verb::kSqueeze, object, target}); !problem.empty()) return problem;
-      continue;
-    }
-    if (problem = keep(object, target, where); !problem.empty()) return problem;
-  }
-  last_destination_ = {targets.front()};
-  resolver_.remember(targets.size() > 1 && !destination.all ? Objects{targets.front()}
-                                                            : targets);  // "the other couch"
-  history_.insert(history_.end() - static_cast<long>(history_.empty() ? 0 : 1), last_destination_);
   return {};
 }
 

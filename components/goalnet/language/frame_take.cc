@@ -196,11 +196,13 @@ std::string FrameActions::take(const Clause& clause) {
   // "bring me a glass of water": nothing has it yet
   if (const NounPhrase* thing = clause.first(Role::kDirect); thing != nullptr && !thing->pronoun &&
                                                              !thing->everything &&
-                                                             clause.first(Role::kDestination) == nullptr) {
+                                                             (clause.first(Role::kDestination) == nullptr ||
+                                                              (at_home_ && clause.first(Role::kWith) != nullptr))) {
     const Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
     const bool canned = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
     const bool drink = content == kWater || content == kCoffee ||
-                       (at_home_ && content == kIceCream && !thing->content.empty()) ||
+                       (at_home_ && content == kIceCream &&
+                        (!thing->content.empty() || clause.first(Role::kWith) != nullptr)) ||
                        (canned && !thing->content.empty());  // "a glass of coke", not "a can of coke"
     const bool hot =
         content == kCoffee && (thing->has("hot") || thing->has("warm"));  // "let me have a hot coffee"

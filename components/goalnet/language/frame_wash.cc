@@ -19,6 +19,13 @@ std::string FrameActions::empty(const Clause& clause) {
       resolver_.options(*thing, Sort::kVessel, now_).empty() &&
       !resolver_.options(*thing, Sort::kMovable, now_).empty())
     return put(clause);
+  // "dump the bowl on the counter": nothing is in it
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      at_home_ && clause.verb == "dump" && destination != nullptr && thing != nullptr && !thing->pronoun &&
+      !thing->bare() && !thing->everything) {
+    const Objects vessels = resolver_.options(*thing, Sort::kVessel, now_);
+    if (!vessels.empty() && resolver_.is_empty(vessels.front(), now_)) return put(clause);
+  }
   // "empty the shelf"
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       thing != nullptr && !thing->pronoun && !thing->bare() &&

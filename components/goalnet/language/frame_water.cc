@@ -219,6 +219,10 @@ std::string FrameActions::pour(const Clause& clause) {
   }
   if (!holds_something) return resolver_.name(source) + " is empty";
   std::erase(targets, source);
+  if (at_home_ && targets.empty() && content != kNone) {  // "coffee in the mug", where it is
+    remember({source});
+    return thing->has("hot") || thing->has("warm") ? heat_objects({source}, true, nullptr) : Problem{};
+  }
   if (targets.empty()) return "a thing cannot be poured into itself";
   if (targets.size() > 1)
     return "what " + resolver_.name(source) + " holds can be poured into one vessel only";

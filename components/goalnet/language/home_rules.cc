@@ -33,6 +33,10 @@ void apply_at_home(const SymAction& action, SymState& state) {
       for (Symbol content = kWater; content <= kSalt; ++content)
         if (before.is(action.x, content)) state.remove(sym_fact(Relation::kState, action.x, content));
       return;
+    case Verb::kPlace:  // the hand lets go of the utensil, not of what it is put into
+      state.remove(sym_fact(Relation::kGrasping, kRobot, action.x));
+      if (before.holds(action.y)) state.add(sym_fact(Relation::kGrasping, kRobot, action.y));
+      return;
     case Verb::kSqueeze:
       for (Symbol content = kWater; content <= kSalt; ++content)
         if (before.is(action.x, content)) state.add(sym_fact(Relation::kState, action.y, content));

@@ -66,6 +66,8 @@ class Resolver {
   // Objects spoken of so far: "the other one" is none of them.
   void remember(const std::vector<Symbol>& objects);
   Doubts& doubts() { return doubts_; }
+  // Whether a vessel holds nothing.
+  bool is_empty(Symbol object, const SymState& now) const;
 
  private:
   struct Option {
@@ -80,7 +82,6 @@ class Resolver {
                   const SymState& now) const;
   int faults(const NounPhrase& phrase, const SeenObject& object, const SymState& now) const;
   bool is_at(Symbol object, const NounPhrase& place, const SymState& now) const;
-  bool is_empty(Symbol object, const SymState& now) const;
 
   const Instruction& instruction_;
   const Lexicon& lexicon_;

@@ -18,6 +18,11 @@ std::string without_doubles(std::string word) {
   return word;
 }
 
+bool is_particle(const std::string& word) {
+  return word == "back" || word == "over" || word == "away" || word == "down" || word == "with" || word == "from" ||
+         word == "into" || word == "onto";
+}
+
 }  // namespace
 
 int spelling_distance(std::string_view a, std::string_view b, int most) {
@@ -48,7 +53,7 @@ std::vector<std::string> Language::within_a_slip(const std::string& word) const 
     // Three letters hold little: only swapped neighbours count as a slip there.
     if (word.size() == 3) {
       const bool lost = !rewrites_.empty() && candidate.size() == 4 && candidate.front() == word.front() &&
-                        meaningful(candidate);  // "grb", "fil"
+                        (meaningful(candidate) || (hears_people_ && is_particle(candidate)));  // "grb", "bak"
       if (!same_letters(word, candidate) && !lost) distance = allowed + 1;
     }
     if (distance > allowed) continue;

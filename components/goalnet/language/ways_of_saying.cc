@@ -144,10 +144,18 @@ void speak_for_others(std::vector<std::string>& text, const Language& language) 
                                         "his"sv, "her"sv, "their"sv, "a"sv};
   static constexpr std::array kWant = {"want"sv,     "wants"sv, "need"sv, "needs"sv, "would"sv,
                                        "requires"sv, "can"sv,   "cant"sv, "cannot"sv};
+  static constexpr std::array kAsking = {"asking"sv,   "begging"sv, "calling"sv, "crying"sv,
+                                         "shouting"sv, "looking"sv, "waiting"sv, "hoping"sv};
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!language.person(singular(text[i]))) continue;
     std::size_t next = i + 1;
     while (next < text.size() && (text[next] == "here" || text[next] == "also")) ++next;
+    // "my son is asking for a fork"
+    if (language.hears_people() && next + 2 < text.size() && (text[next] == "is" || text[next] == "are") &&
+        one_of(text[next + 1], kAsking) && text[next + 2] == "for") {
+      text.erase(text.begin() + static_cast<long>(next) + 1, text.begin() + static_cast<long>(next) + 3);
+      text[next] = "wants";
+    }
     std::size_t feels = next;  // "the kid is thirsty"
     while (feels < text.size() && (text[feels] == "is" || text[feels] == "are")) ++feels;
     const bool wishes = feels < text.size() && language.wish(text[feels]) != nullptr;

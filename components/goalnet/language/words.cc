@@ -120,6 +120,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   join_wishes(text);
   for (std::string& word : text) {
     std::string stem = language.keeps_its_s(word) ? word : singular(word);
+    if (word == "lies" && language.hears_people()) stem = "lie";
     if (word == "ones" && language.hears_people()) stem = "one";
     words.plural.push_back(stem != word);
     words.text.push_back(std::move(stem));
