@@ -28,13 +28,21 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
     if (same && there != nullptr)
       clause.phrases.push_back(*there), clause.frame = before.frame, clause.verb = before.verb;
   }
+  // "make the tap off", "make the sound away"
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      language_.hears_people() && clause.frame == Frame::kMake && thing != nullptr) {
+    const bool off = clause.has_particle("off") || clause.has_particle("out") || clause.has_particle("away");
+    if (off) clause.frame = language_.tv_word(thing->phrase) ? Frame::kMute : Frame::kStop;
+    if (clause.has_particle("on")) clause.frame = Frame::kStart;
+  }
   // "the news is on channel 1, put it on"
   if (Clause* told = result_.clauses.empty() ? nullptr : &result_.clauses.back();
       told != nullptr && told->mood == Mood::kStatement && told->frame == Frame::kChange &&
-      clause.has_particle("on") && clause.first(Role::kDirect) != nullptr &&
-      clause.first(Role::kDirect)->pronoun) {
-    told->asked = true;
-    return i;
+      clause.has_particle("on") && clause.first(Role::kDirect) != nullptr) {
+    const NounPhrase& thing = *clause.first(Role::kDirect);
+    if (thing.pronoun || (language_.hears_people() && lexicon_->is_name_of(thing.phrase, "tv")))
+      told->asked = true;
+    if (thing.pronoun) return i;
   }
   // "it goes on the shelf, put it back": there, wherever it stood
   const auto last_asked = std::find_if(result_.clauses.rbegin(), result_.clauses.rend(),

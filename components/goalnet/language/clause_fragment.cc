@@ -39,7 +39,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     i = done;
   }
   // "all the cups except the mug to the sink"
-  if (NounPhrase left_out; language_.hears_people() && i < end && (words_[i] == "except" || words_[i] == "but")) {
+  if (NounPhrase left_out;
+      language_.hears_people() && i < end && (words_[i] == "except" || words_[i] == "but")) {
     const std::size_t from = i + 1 < end && words_[i + 1] == "for" ? i + 2 : i + 1;
     const std::size_t done = reader_.read(from, end, left_out);
     if (done != from && !left_out.person && !left_out.unknown && done < end &&
@@ -50,9 +51,9 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     }
   }
   // "a bowl of ice cream with syrup please"
-  if (NounPhrase with; language_.hears_people() && i < end && words_[i] == "with" &&
-                       language_.content(subject.content.empty() ? subject.phrase : subject.content) !=
-                           symbol::kNone) {
+  if (NounPhrase with;
+      language_.hears_people() && i < end && words_[i] == "with" &&
+      language_.content(subject.content.empty() ? subject.phrase : subject.content) != symbol::kNone) {
     const std::size_t done = reader_.read(i + 1, end, with);
     if (done != i + 1 && !with.person && !with.unknown && !with.pronoun) {
       with.role = Role::kWith;

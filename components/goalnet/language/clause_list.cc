@@ -1,5 +1,5 @@
-// What follows a comma or an "and" inside a command: more things, things with places of their own, or something that
-// is no part of the command any more.
+// What follows a comma or an "and" inside a command: more things, things with places of their own, or
+// something that is no part of the command any more.
 #include <algorithm>
 
 #include "components/goalnet/language/clause_parser.h"
@@ -81,7 +81,8 @@ std::size_t ClauseParser::listed(std::size_t i, std::size_t end, Clause& clause,
     if (done != next + 1 && !opens_command(done, end)) return next;
   }
   // "I want the kettle filled and on the stove"
-  if (NounPhrase there; language_.hears_people() && clause.mood == Mood::kCommand && clause.first(Role::kDirect) != nullptr &&
+  if (NounPhrase there; language_.hears_people() && clause.mood == Mood::kCommand &&
+                        clause.first(Role::kDirect) != nullptr &&
                         (!clause.state.empty() || language_.participle(words_[i - 1]))) {
     const std::size_t done = reader_.read_place(next, end, there);
     if (done != next && !there.person && !there.hand && ends_here(done, end)) {

@@ -110,8 +110,10 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     return part_end(at, end);
   }
   if (const std::size_t stop = none_there(at, end); stop != at) return stop;
+  if (const std::size_t stop = idle(at, end); stop != at) return stop;
   at = skip_joins(at, end);
   if (at >= end) return at;
+  if (const std::size_t stop = idle(at, end); stop != at) return stop;
   if (const std::size_t stop = none_there(at, end); stop != at) return stop;
   if (const std::size_t stop = has_to_be(at, end); stop != at) return stop;
   const std::string& word = words_[at];

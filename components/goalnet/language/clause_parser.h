@@ -47,6 +47,7 @@ class ClauseParser {
   std::size_t wish_to(std::size_t at, std::size_t end);
   // Parts that ask for nothing: "my back is killing me", "bedtime, kids". They return `at` where it is none.
   std::size_t told(std::size_t at, std::size_t end);
+  std::size_t idle(std::size_t at, std::size_t end);
   // "no wait, the fork": mends the command before it.
   std::size_t correction(std::size_t at, std::size_t end);
   // "the fork, bring it to me": what "it" will mean.

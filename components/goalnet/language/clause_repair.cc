@@ -64,7 +64,8 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   if (const std::size_t stop = part_end(next, end);  // "no, scratch that, I am driving, the coke"
       language_.hears_people() && next < end && stop < end && tells(next, stop))
     next = skip_joins(stop, end);
-  if (language_.hears_people())  // "swap the beer and the coke's ... no wait": what was left of it goes as well
+  if (language_
+          .hears_people())  // "swap the beer and the coke's ... no wait": what was left of it goes as well
     while (result_.clauses.size() > 1 && result_.clauses.back().mood == Mood::kStatement &&
            result_.clauses[result_.clauses.size() - 2].mood == Mood::kCommand)
       result_.clauses.pop_back();

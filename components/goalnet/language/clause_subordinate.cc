@@ -13,10 +13,10 @@ using std::string_view_literals::operator""sv;
 std::size_t ClauseParser::condition(std::size_t at, std::size_t end) {
   ClauseParser inner(*all_words_, language_, *lexicon_);
   std::size_t stop = at + 1;
-  while (stop < end && words_[stop] != "," && words_[stop] != "then" &&
-         !(language_.hears_people() && words_[stop] == "otherwise") &&
-         !(stop > at + 2 && opens_command(stop, end) &&
-           language_.wanted_by_state(words_[stop]) == Frame::kNone))
+  while (
+      stop < end && words_[stop] != "," && words_[stop] != "then" &&
+      !(language_.hears_people() && words_[stop] == "otherwise") &&
+      !(stop > at + 2 && opens_command(stop, end) && language_.wanted_by_state(words_[stop]) == Frame::kNone))
     ++stop;
   const std::size_t done = inner.statement(at + 1, stop);
   if (done < stop || !inner.result_.stray.empty() || inner.result_.clauses.size() != 1) return at;
@@ -42,7 +42,9 @@ std::size_t ClauseParser::otherwise(std::size_t at, std::size_t end) {
                                  [](const Clause& clause) { return clause.condition_number > 0; });
   if (!language_.hears_people()) return at;
   if (last == result_.clauses.rend())  // "is the stove off? if not, turn it off"
-    return !result_.clauses.empty() && result_.clauses.back().mood == Mood::kQuestion ? skip_joins(at + 1, end) : at;
+    return !result_.clauses.empty() && result_.clauses.back().mood == Mood::kQuestion
+               ? skip_joins(at + 1, end)
+               : at;
   conditional_.condition = last->condition, conditional_.condition_number = last->condition_number;
   conditional_.otherwise = !last->otherwise;
   return skip_joins(at + 1, end);

@@ -102,6 +102,19 @@ std::size_t ClauseParser::told(std::size_t at, std::size_t end) {
   return std::max(done, at + 1);
 }
 
+// "no time to tidy, ...", "sitting is agony, ...": begins as requests do, but is none.
+std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
+  static constexpr std::array kLacks = {"time"sv,   "point"sv,  "use"sv, "sense"sv,
+                                        "chance"sv, "wonder"sv, "fun"sv, "rush"sv};
+  static constexpr std::array kIs = {"is"sv, "was"sv, "get"sv, "become"sv, "make"sv};
+  if (!language_.hears_people() || at + 1 >= end) return at;
+  const std::string& word = words_[at];
+  const bool gerund = word.ends_with("ing") && language_.english_verb(word) && reader_.name_length(at) == 0;
+  if (!(word == "no" ? one_of(words_[at + 1], kLacks) : gerund && one_of(words_[at + 1], kIs))) return at;
+  add_told(at, part_end(at, end));
+  return part_end(at, end);
+}
+
 // "ssh, the baby!", "careful with that mug!": a part that nobody can read and that does not begin as requests
 // do.
 std::size_t ClauseParser::aside(std::size_t at, std::size_t end) {

@@ -124,14 +124,14 @@ class FrameActions {
   SymState start_, now_;
   std::vector<SymAction> macros_;
   std::vector<SymDelta> steps_;
-  std::vector<Objects> history_;  // what "it" may mean, the newest last
-  Objects last_destination_;      // what "there" means
-  std::string content_told_;      // "there is coffee in the mug": "it" may mean the coffee
-  Objects taken_;                 // in the hands because somebody wants it there
-  Objects mass_;                  // "everything", newest: "it" means all of that
+  std::vector<Objects> history_;              // what "it" may mean, the newest last
+  Objects last_destination_;                  // what "there" means
+  std::string content_told_;                  // "there is coffee in the mug": "it" may mean the coffee
+  Objects taken_;                             // in the hands because somebody wants it there
+  Objects mass_;                              // "everything", newest: "it" means all of that
   std::vector<std::pair<int, bool>> judged_;  // conditions by their numbers, and whether they held
-  mutable Problem missing_;       // the last that said so; see names_missing_thing()
-  bool at_home_;                  // see FrameReader
+  mutable Problem missing_;                   // the last that said so; see names_missing_thing()
+  bool at_home_;                              // see FrameReader
   bool closes_tap_;
   bool tap_fills_ = false;  // it was turned on to fill something, and runs still
   bool tap_asked_ = false;  // somebody wants it to run

@@ -1,4 +1,5 @@
-// Where exactly things are put: beside something, one on each of several places, into what takes them in its own way.
+// Where exactly things are put: beside something, one on each of several places, into what takes them in its
+// own way.
 #include <algorithm>
 
 #include "components/goalnet/language/frame_actions.h"
@@ -44,7 +45,8 @@ std::string FrameActions::put_with(const NounPhrase& with, Symbol object, Where 
   if (more.empty()) return unknown_thing(with, Sort::kMovable);
   if (target == kNone) return "it is not clear where to put " + with.word;
   for (const Symbol other : more)
-    if (const Problem problem = keep(other, target, on_it ? it.where : where); !problem.empty()) return problem;
+    if (const Problem problem = keep(other, target, on_it ? it.where : where); !problem.empty())
+      return problem;
   return {};
 }
 
@@ -57,7 +59,8 @@ std::optional<std::string> FrameActions::put_content(const Clause& clause, const
   const bool inside = destination.where != Where::kOn && destination.where != Where::kNear;
   if (content != kNone && into_dish && thing.content.empty()) {
     // "I want boiling water in the kettle": where none is hot yet it is heated there
-    if (content == kWater && (thing.has("boiling") || thing.has("hot")) && resolver_.is_vessel(vessels.front())) {
+    if (content == kWater && (thing.has("boiling") || thing.has("hot")) &&
+        resolver_.is_vessel(vessels.front())) {
       const Symbol has = vessel_with(kWater);
       if (has == kNone || !now_.is(has, ktemperatureHigh)) return heat(clause, false);
     }

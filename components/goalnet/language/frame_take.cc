@@ -29,6 +29,8 @@ std::string FrameActions::go(const Clause& clause) {
   if (phrase == nullptr) phrase = clause.first(Role::kDirect);
   if (phrase == nullptr && clause.to_person && !macros_.empty()) return {};  // "... and come back here"
   if (phrase == nullptr && clause.verb == "wait") return {};                 // "... and wait there"
+  if (phrase == nullptr && at_home_ && clause.verb == "go" && clause.particles.empty() && !macros_.empty())
+    return {};  // "..., go!"
   if (phrase == nullptr)
     return clause.to_person ? "it is not known where you are" : "it is not clear where to go";
   Objects options = phrase->pronoun ? pronoun(*phrase, Sort::kAny, {}) : Objects{};
@@ -194,10 +196,9 @@ std::string FrameActions::take(const Clause& clause) {
           return problem;
     }
   // "bring me a glass of water": nothing has it yet
-  if (const NounPhrase* thing = clause.first(Role::kDirect); thing != nullptr && !thing->pronoun &&
-                                                             !thing->everything &&
-                                                             (clause.first(Role::kDestination) == nullptr ||
-                                                              (at_home_ && clause.first(Role::kWith) != nullptr))) {
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      thing != nullptr && !thing->pronoun && !thing->everything &&
+      (clause.first(Role::kDestination) == nullptr || (at_home_ && clause.first(Role::kWith) != nullptr))) {
     const Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
     const bool canned = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
     const bool drink = content == kWater || content == kCoffee ||

@@ -73,6 +73,10 @@ bool Language::names_something(const std::string& word) const {
   return verbs_.contains(word) || lexicon_->is_name(word) || lexicon_->is_name(singular(word));
 }
 
+bool Language::names_thing(const std::string& word) const {
+  return lexicon_->is_name(word) || lexicon_->is_name(singular(word));
+}
+
 bool Language::names_place(const std::string& phrase) const { return lexicon_->is_place_name(phrase); }
 
 bool Language::small_word(const std::string& word) const {

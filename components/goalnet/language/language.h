@@ -87,6 +87,7 @@ class Language {
     return real_words_.contains(word);
   }                                                     // English, though unknown here
   bool names_something(const std::string& word) const;  // a verb or a word of a name
+  bool names_thing(const std::string& word) const;      // a name, of one or many
   bool names_place(const std::string& phrase) const;    // "snack table"
   bool small_word(const std::string& word) const;       // the, on, it, ...: where blanks get lost
   bool meaningful(const std::string& word) const {

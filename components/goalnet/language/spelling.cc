@@ -19,8 +19,8 @@ std::string without_doubles(std::string word) {
 }
 
 bool is_particle(const std::string& word) {
-  return word == "back" || word == "over" || word == "away" || word == "down" || word == "with" || word == "from" ||
-         word == "into" || word == "onto";
+  return word == "back" || word == "over" || word == "away" || word == "down" || word == "with" ||
+         word == "from" || word == "into" || word == "onto";
 }
 
 }  // namespace

@@ -58,7 +58,21 @@ void resolve_endings(std::vector<std::string>& words, const Language& language) 
   words = std::move(kept);
 }
 
-void expand_contractions(std::vector<std::string>& words) {
+void expand_contractions(std::vector<std::string>& words, const Language& language) {
+  // "heat the mug, its cold": no thing of it follows
+  static constexpr std::array kBehindItIs = {"too"sv,     "so"sv,     "not"sv,  "still"sv,
+                                             "very"sv,    "really"sv, "just"sv, "gone"sv,
+                                             "getting"sv, "going"sv,  "all"sv,  "already"sv};
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (words[i] != "its") continue;
+    const std::string& next = words[i + 1];
+    const bool state =
+        language.wanted_by_state(next) != Frame::kNone || language.complaint(next) != Frame::kNone;
+    const bool thing_behind = i + 2 < words.size() && language.names_thing(words[i + 2]);
+    if (!one_of(next, kBehindItIs) && (!state || thing_behind)) continue;
+    words[i] = "it";
+    words.insert(words.begin() + static_cast<long>(i) + 1, "is");
+  }
   static constexpr std::array<std::array<std::string_view, 3>, 18> kForms = {{{"im", "i", "am"},
                                                                               {"ive", "i", "have"},
                                                                               {"id", "i", "would"},

@@ -12,7 +12,7 @@ class Language;
 // tokenizer.
 void resolve_endings(std::vector<std::string>& words, const Language& language);
 // "id like" -> "i would like", "im thirsty" -> "i am thirsty".
-void expand_contractions(std::vector<std::string>& words);
+void expand_contractions(std::vector<std::string>& words, const Language& language);
 // "guests: two plates" -> "two plates"; "trash: the coke" -> "trash the coke"; else ":" becomes ",".
 void resolve_headings(std::vector<std::string>& words, const Language& language);
 // Adverbs that change nothing ("terribly", "kindly") and "please" in the middle of what it belongs to.

@@ -74,7 +74,8 @@ void ask_politely(std::vector<std::string>& text, bool hears_people) {
   static constexpr std::array kCould = {"could"sv, "would"sv, "can"sv, "might"sv, "will"sv};
   for (std::size_t i = 0; i + 3 < text.size(); ++i) {
     const bool opens = (text[i] == "it" || text[i] == "i" || text[i] == "that") &&
-                       (text[i + 1] == "would" || text[i + 1] == "will");
+                       (text[i + 1] == "would" || text[i + 1] == "will" ||
+                        (hears_people && text[i + 1] == "should" && text[i + 2] == "be"));
     if (!opens) continue;
     for (std::size_t k = i + 2; k + 1 < text.size() && k < i + kFarthest && text[k] != "," && text[k] != ".";
          ++k) {
@@ -89,6 +90,27 @@ void ask_politely(std::vector<std::string>& text, bool hears_people) {
       while (k < text.size() && one_of(text[k], kCould)) ++k;
       text[i] = "please";
       text.erase(text.begin() + static_cast<long>(i) + 1, text.begin() + static_cast<long>(k));
+      break;
+    }
+  }
+}
+
+// "might I prevail upon you to bring me the beer": what is asked begins behind "you to".
+void drop_preambles(std::vector<std::string>& text, const Language& language) {
+  constexpr std::size_t kFarthest = 12;
+  static constexpr std::array kOpens = {"i"sv,   "we"sv,    "may"sv,  "might"sv,  "could"sv,
+                                        "can"sv, "would"sv, "dare"sv, "should"sv, "it"sv};
+  static constexpr std::array kTurnsAway = {
+      "not"sv, "never"sv, "no"sv,      "without"sv, "forbid"sv, "hate"sv, "stop"sv, "refuse"sv, "warned"sv,
+      "saw"sv, "heard"sv, "thought"sv, "used"sv,    "who"sv,    "why"sv,  "if"sv,   "dont"sv};
+  for (std::size_t i = 0; i + 3 < text.size(); ++i) {
+    if ((i > 0 && text[i - 1] != "." && text[i - 1] != ",") || !one_of(text[i], kOpens)) continue;
+    for (std::size_t k = i + 1; k + 2 < text.size() && k < i + kFarthest && text[k] != "," && text[k] != ".";
+         ++k) {
+      if (one_of(text[k], kTurnsAway) || language.names_thing(text[k])) break;
+      if (text[k] != "you" || text[k + 1] != "to" || language.verb(text[k + 2]) == Frame::kNone) continue;
+      text[i] = "please";
+      text.erase(text.begin() + static_cast<long>(i) + 1, text.begin() + static_cast<long>(k) + 2);
       break;
     }
   }
@@ -181,6 +203,7 @@ void say_plainly(std::vector<std::string>& text, const Language& language) {
   speak_for_others(text, language);
   repeat_numbered(text, language);
   ask_politely(text, language.hears_people());
+  if (language.hears_people()) drop_preambles(text, language);
   be_so_good(text);
   name_tools(text);
 }

@@ -78,7 +78,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   Words words;
   std::vector<std::string> mended = tokens;
   if (language.hears_people()) {
-    expand_contractions(mended);
+    expand_contractions(mended, language);
     resolve_headings(mended, language);
     resolve_endings(mended, language);
   }
