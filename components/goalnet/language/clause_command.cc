@@ -117,6 +117,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     }
     i = next;
   }
+  // "the kettle needs filling and then putting on the stove"
+  if (language_.hears_people() && words_[at].ends_with("ing") && at > 0 && language_.joins(words_[at - 1]) &&
+      clause.first(Role::kDirect) == nullptr && !result_.clauses.empty() &&
+      result_.clauses.back().mood == Mood::kCommand && result_.clauses.back().first(Role::kDirect) != nullptr)
+    clause.phrases.insert(clause.phrases.begin(), *result_.clauses.back().first(Role::kDirect));
   return end_command(std::move(clause), i, end);
 }
 

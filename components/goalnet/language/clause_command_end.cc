@@ -35,6 +35,8 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
     if (off) clause.frame = language_.tv_word(thing->phrase) ? Frame::kMute : Frame::kStop;
     if (clause.has_particle("on")) clause.frame = Frame::kStart;
   }
+  if (language_.hears_people() && clause.frame == Frame::kStart && clause.has_particle("under_tap"))
+    clause.frame = Frame::kWash;  // "run the mug under the tap"
   // "the news is on channel 1, put it on"
   if (Clause* told = result_.clauses.empty() ? nullptr : &result_.clauses.back();
       told != nullptr && told->mood == Mood::kStatement && told->frame == Frame::kChange &&

@@ -120,6 +120,11 @@ std::size_t ClauseParser::listed(std::size_t i, std::size_t end, Clause& clause,
     phrase.joined = role == Role::kDestination;
     // a list goes on; after "with X and Y" or "on X and Y" only where nothing moves to a place of its own
     if (phrase.role != Role::kExcept) phrase.role = role;
+    // "take the book from the couch, and the bowl too"
+    if (language_.hears_people() && phrase.role == Role::kSource && !lexicon_->is_place_name(phrase.phrase) &&
+        clause.first(Role::kSource) != nullptr &&
+        lexicon_->is_place_name(clause.first(Role::kSource)->phrase))
+      phrase.role = Role::kDirect;
     phrase.where = where;
     clause.phrases.push_back(std::move(phrase));
     return done;

@@ -28,6 +28,8 @@ bool ClauseParser::harmless(std::size_t at) const {
 // Whether the word is a verb here. "microwave" and "spoon" are things too: they are verbs before a thing.
 bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
   if (at >= end || language_.verb(words_[at]) == Frame::kNone) return false;
+  if (language_.hears_people() && words_[at] == "up" && !reader_.starts(at + 1, end))
+    return false;  // "too high up"
   const std::size_t name = reader_.name_length(at);
   if (name == 0) return true;
   if (name > 1) return false;

@@ -50,7 +50,7 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   }
   if (words_[at] == "nothing" || words_[at] == "no") {  // "nothing should be standing on the stove"
     std::size_t k = at + 1;
-    bool wanted = false;
+    bool wanted = ensured_ && language_.hears_people();  // "make sure nothing is left on the stove"
     for (; k < end && !language_.joins(words_[k]); ++k) {
       wanted = wanted || one_of(words_[k], kDesire);
       NounPhrase place;

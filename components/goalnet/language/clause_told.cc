@@ -83,6 +83,12 @@ void ClauseParser::add_told(std::size_t at, std::size_t stop) {
 std::size_t ClauseParser::told(std::size_t at, std::size_t end) {
   const std::size_t stop = part_end(at, end);
   if (!tells(at, stop)) return at;
+  if (const std::string& last = words_[stop - 1];
+      language_.hears_people() &&
+      (last == "itself" || last == "themselves")) {  // "the noodles will not cook themselves"
+    add_told(at, stop);
+    return stop;
+  }
   // What can be read is read: "the mug should be in the sink" asks for something.
   ClauseParser trial = *this;
   trial.result_ = {};

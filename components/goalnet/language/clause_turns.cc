@@ -79,7 +79,12 @@ std::size_t ClauseParser::forbidden(std::size_t at, std::size_t end) {
   }
   if (NounPhrase left_out;
       words_[at + 1 < end ? at + 1 : at] != "wish") {  // "forget the fork", "not in the mug"
-    std::size_t done = reader_.read_place(at + 1, end, left_out);
+    std::size_t from = at + 1;                         // "not up there on the shelf"
+    while (language_.hears_people() && from + 1 < end &&
+           (words_[from] == "up" || words_[from] == "down" || words_[from] == "there"))
+      ++from;
+    std::size_t done = reader_.read_place(from, end, left_out);
+    if (done == from) done = at + 1;
     if (language_.hears_people() && done != at + 1 && ends_here(done, end)) return done;  // "not in the mug"
     if (done == at + 1) done = reader_.read(at + 1, end, left_out);
     if (done != at + 1 && ends_here(done, end)) {

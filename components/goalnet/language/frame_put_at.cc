@@ -124,7 +124,9 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
   if (destination.pronoun && destination.word != "there" && where == Where::kTo) where = Where::kOn;
   // Where the place is not said exactly, what is there already may stay.
   Objects all = destination.pronoun ? targets : resolver_.options(destination, Sort::kPlace, now_);
-  if (destination.ordinal > 0 || destination.number > 0 || where == Where::kNear) all = targets;
+  if (destination.ordinal > 0 || destination.number > 0 || where == Where::kNear ||
+      (at_home_ && (destination.has("other") || destination.has("different"))))
+    all = targets;
   const bool one_each = destination.all && objects.size() <= targets.size();
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Symbol object = objects[i];

@@ -68,6 +68,17 @@ std::string FrameActions::take(const Clause& clause) {
   const bool there_or_which = clause.wish || clause.verb == "gather" || clause.verb == "collect" ||
                               (at_home_ && clause.verb == "get" && !clause.to_person);
   const NounPhrase* located_thing = clause.first(Role::kDirect);
+  // "give water in the kettle"
+  if (at_home_ && clause.verb == "give" && !clause.to_person && located_thing != nullptr &&
+      language_.content(located_thing->phrase) == kWater && !located_thing->at.empty()) {
+    Clause filled = clause;
+    filled.frame = Frame::kPlace, filled.verb = "put";
+    NounPhrase vessel = located_thing->at.front();
+    vessel.role = Role::kDestination;
+    for (NounPhrase& phrase : filled.phrases) phrase.at.clear();
+    filled.phrases.push_back(std::move(vessel));
+    return put(filled);
+  }
   if (at_home_ && clause.wish && located_thing != nullptr && located_thing->at.empty())
     for (const NounPhrase& phrase : clause.phrases)  // "I want the fork and the spoon in the sink"
       if (phrase.role == Role::kDirect && !phrase.at.empty()) located_thing = &phrase;
@@ -207,6 +218,7 @@ std::string FrameActions::take(const Clause& clause) {
                        (canned && !thing->content.empty());  // "a glass of coke", not "a can of coke"
     const bool hot =
         content == kCoffee && (thing->has("hot") || thing->has("warm"));  // "let me have a hot coffee"
+    if (at_home_ && content == kIceCream && clause.first(Role::kDestination) != nullptr) return make(clause);
     if (drink && (hot || resolver_.options(*thing, Sort::kMovable, now_).empty())) return make(clause);
   }
   // "take the mug to the sink" says where to put it; "take the mug on the shelf" where it is.

@@ -11,7 +11,8 @@ namespace {
 bool make_wish(Clause& clause, const Language& language) {
   if (clause.mood == Mood::kQuestion || clause.negative) return false;
   if (clause.wish && clause.frame != Frame::kNone) return true;
-  const Frame frame = clause.state.empty() ? Frame::kNone : language.complaint(clause.state);
+  Frame frame = clause.state.empty() ? Frame::kNone : language.complaint(clause.state);
+  if (clause.asked && clause.state == "empty" && language.hears_people()) frame = Frame::kFill;
   if (frame == Frame::kNone || clause.phrases.empty()) return false;
   clause.frame = frame;
   clause.verb = clause.state;

@@ -82,6 +82,12 @@ std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhras
       phrase.at.push_back(place);
     return done;
   }
+  // "the burner that is on"
+  if (language_.hears_people() && k > i && k < end &&
+      (words_.text[k] == "on" || words_.text[k] == "running" || words_.text[k] == "burning")) {
+    phrase.adjectives.emplace_back("lit");
+    return k + 1;
+  }
   if (k < end && one_of(words_.text[k], kStates) && k > i) {
     phrase.adjectives.push_back(words_.text[k]);
     return k + 1;
