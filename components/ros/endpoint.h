@@ -66,13 +66,15 @@ class Writer {
   // As write(), with the identity that marks it as the reply to (or the request of) somebody. Fills *id, if
   // not null, with the identity the sample got.
   bool write_related(const void* message, const SampleId& related, SampleId* id);
-  // Sends bytes as they are: 4 of encapsulation and the message.
-  bool write_raw(std::span<const std::uint8_t> payload);
+  // Sends bytes as they are: 4 of encapsulation and the message. Where `related` is given it goes along as in
+  // write_related().
+  bool write_raw(std::span<const std::uint8_t> payload, const SampleId* related = nullptr);
 
   std::size_t matched() const;
   // Waits until at least `count` readers are matched. Returns whether they are.
   bool wait_for_matched(std::size_t count, std::chrono::nanoseconds timeout) const;
   bool matched_with(const Gid& reader) const;
+  std::vector<Gid> matched_readers() const;
   // Waits until all reliable readers have everything written so far.
   bool wait_for_acknowledgments(std::chrono::nanoseconds timeout);
   const Gid& gid() const;

@@ -18,7 +18,7 @@ namespace goalnet::ros {
 template <class Service>
 class Responder {
  public:
-  Responder(std::weak_ptr<ServiceServerBase> server, const SampleId& reply_to)
+  Responder(std::weak_ptr<ServiceServerBase> server, const ReplyTo& reply_to)
       : server_(std::move(server)), reply_to_(reply_to) {}
   // Nothing happens if the server is gone.
   void send(typename Service::Response response) const {
@@ -29,7 +29,7 @@ class Responder {
 
  private:
   std::weak_ptr<ServiceServerBase> server_;
-  SampleId reply_to_;
+  ReplyTo reply_to_;
 };
 
 template <class Service>
@@ -85,7 +85,7 @@ class Server {
     // The handler finds its own server through this slot: the base cannot exist before its handler.
     auto slot = std::make_shared<std::weak_ptr<ServiceServerBase>>();
     auto handler = [slot, call = std::move(callback)](std::shared_ptr<void> request,
-                                                      const SampleId& reply_to) {
+                                                      const ReplyTo& reply_to) {
       call(std::static_pointer_cast<const Request>(std::move(request)), Responder<Service>(*slot, reply_to));
     };
     auto report = [&node, name = name_](const std::string& why) {

@@ -1,7 +1,10 @@
 #include "components/ros/service_base.h"
 
-#include <thread>
+#include <algorithm>
 
+#include "components/ros/detail/cyclone_service.h"
+#include "components/ros/detail/message_type.h"
+#include "components/ros/detail/participant.h"
 #include "components/ros/names.h"
 
 namespace goalnet::ros {
@@ -10,10 +13,9 @@ namespace {
 constexpr std::size_t kMostRequests = 1000;  // waiting in one server
 constexpr std::size_t kMostReplies = 1000;   // waiting for their client's reader
 constexpr auto kReplyPatience = std::chrono::seconds(2);
+constexpr auto kAcquaintance = std::chrono::milliseconds(300);  // three heartbeats of a writer of ours
+constexpr auto kLookAgain = std::chrono::milliseconds(5);
 constexpr auto kTimeoutResolution = std::chrono::milliseconds(20);
-
-// rmw_cyclonedds puts 16 bytes in front of requests and replies. Its participants bear Eclipse's vendor id.
-bool from_cyclone(const Gid& gid) { return gid[0] == 0x01 && gid[1] == 0x10; }
 
 bool is_reader(const Gid& gid) { return (gid[15] & 0x3f) == 0x04 || (gid[15] & 0x3f) == 0x07; }
 
@@ -27,6 +29,28 @@ EndpointOptions reply_options(ServiceTypes types, const std::string& service, co
   return EndpointOptions::of(*types.response, service_reply_to_dds(service), qos, node);
 }
 
+// Readers get the bytes: what they mean depends on who sent them.
+EndpointOptions raw(EndpointOptions options) {
+  options.support = nullptr;
+  return options;
+}
+
+struct Decoded {
+  std::shared_ptr<void> message;
+  const char* fault = nullptr;
+};
+
+Decoded decode(const idl::TypeSupport& support, std::span<const std::uint8_t> payload) {
+  Decoded out{std::shared_ptr<void>(support.create(), support.destroy)};
+  out.fault = detail::decode(support, detail::layout_of(support), payload, out.message.get());
+  return out;
+}
+
+std::vector<std::uint8_t> encode_for_cyclone(const idl::TypeSupport& support, const void* message,
+                                             const detail::CycloneHeader& header) {
+  return detail::with_cyclone_header(detail::encode(support, message), header);
+}
+
 }  // namespace
 
 ServiceServerBase::ServiceServerBase(EventLoop& loop, Handler handler, DropReport report)
@@ -35,13 +59,16 @@ ServiceServerBase::ServiceServerBase(EventLoop& loop, Handler handler, DropRepor
 Expected<void> ServiceServerBase::open(const std::shared_ptr<detail::Participant>& participant,
                                        const std::string& service, const std::string& node,
                                        ServiceTypes types, const Qos& qos) {
+  types_ = types;
+  participant_ = participant;
   Reader::Callbacks callbacks;
-  callbacks.on_message = [this](std::shared_ptr<void> request, const SampleInfo& info) {
-    on_request(std::move(request), info);
+  callbacks.on_payload = [this](std::vector<std::uint8_t> payload, const SampleInfo& info) {
+    on_request(std::move(payload), info);
   };
   callbacks.on_dropped = [this](const char* why) { on_dropped(why); };
   // The reader first, as rmw does: node lists then show the endpoints in the same order.
-  auto reader = Reader::create(participant, request_options(types, service, qos, node), std::move(callbacks));
+  auto reader =
+      Reader::create(participant, raw(request_options(types, service, qos, node)), std::move(callbacks));
   if (!reader) return tl::unexpected(reader.error());
   auto writer =
       Writer::create(participant, reply_options(types, service, qos, node), [weak = weak_from_this(), this] {
@@ -55,14 +82,18 @@ Expected<void> ServiceServerBase::open(const std::shared_ptr<detail::Participant
   return {};
 }
 
-void ServiceServerBase::on_request(std::shared_ptr<void> request, const SampleInfo& info) {
-  if (from_cyclone(info.id.writer)) {
-    on_dropped(
-        "it comes from rmw_cyclonedds, whose service format differs; use rmw_fastrtps_cpp on both sides");
-    return;
+void ServiceServerBase::on_request(std::vector<std::uint8_t> payload, const SampleInfo& info) {
+  ReplyTo reply_to{info.id};
+  if (detail::from_cyclone(info.id.writer)) {
+    const auto header = detail::take_cyclone_header(payload);
+    if (!header) return on_dropped("it is too short for the header that rmw_cyclonedds sends");
+    reply_to.request.sequence = header->sequence;
+    reply_to.cyclone_client = header->client;
+  } else if (info.related.writer != Gid{}) {
+    reply_to.request.writer = info.related.writer;
   }
-  SampleId reply_to = info.id;
-  if (info.related.writer != Gid{}) reply_to.writer = info.related.writer;
+  auto [request, fault] = decode(*types_.request, payload);
+  if (fault != nullptr) return on_dropped(fault);
   Glance glance;
   {
     std::lock_guard lock(mutex_);
@@ -97,23 +128,62 @@ void ServiceServerBase::handle_one() {
   handler_(std::move(entry.request), entry.reply_to);
 }
 
-void ServiceServerBase::reply(const SampleId& reply_to, std::shared_ptr<const void> response) {
-  if (!is_reader(reply_to.writer) || replies_->matched_with(reply_to.writer)) {
-    replies_->write_related(response.get(), reply_to, nullptr);
+bool ServiceServerBase::can_be_answered(const ReplyTo& reply_to,
+                                        std::chrono::steady_clock::time_point since) {
+  const Gid& client = reply_to.request.writer;
+  if (detail::from_cyclone(client)) return cyclone_can_be_answered(client, since);
+  return !is_reader(client) || replies_->matched_with(client);
+}
+
+// Where our writer has earlier samples, Fast DDS puts a gap and a heartbeat in front of the first one that it
+// sends to a new reader. Cyclone DDS begins behind what the first heartbeat names, which is that very sample.
+// Without a reply to send it gets a heartbeat without one, and acknowledges it: then it misses no more.
+bool ServiceServerBase::cyclone_can_be_answered(const Gid& client,
+                                                std::chrono::steady_clock::time_point since) {
+  if (acquainted_.contains(client)) return true;
+  const bool matched = participant_->cyclone_clients().can_be_answered(
+      client, [this](const Gid& reader) { return replies_->matched_with(reader); });
+  if (!matched) return false;
+  const bool follows = replies_->wait_for_acknowledgments(std::chrono::nanoseconds(0));
+  if (!follows && std::chrono::steady_clock::now() - since < kAcquaintance) return false;
+  if (acquainted_.size() >= kMostRequests) acquainted_.clear();
+  acquainted_.insert(client);
+  return true;
+}
+
+void ServiceServerBase::send(const ReplyTo& reply_to, const void* response) {
+  if (!detail::from_cyclone(reply_to.request.writer)) {
+    replies_->write_related(response, reply_to.request, nullptr);
     return;
   }
+  // With the related identity too: clients of rmw_fastrtps hear it, and know by it that it is not for them.
+  replies_->write_raw(
+      encode_for_cyclone(*types_.response, response, {reply_to.cyclone_client, reply_to.request.sequence}),
+      &reply_to.request);
+}
+
+void ServiceServerBase::reply(const ReplyTo& reply_to, std::shared_ptr<const void> response) {
+  const auto now = std::chrono::steady_clock::now();
+  if (can_be_answered(reply_to, now)) return send(reply_to, response.get());
   if (waiting_.size() >= kMostReplies) waiting_.pop_front();
-  waiting_.push_back({reply_to, std::move(response), std::chrono::steady_clock::now() + kReplyPatience});
+  waiting_.push_back({reply_to, std::move(response), now});
   flush_waiting();  // it may have matched in between
 }
 
 void ServiceServerBase::flush_waiting() {
   const auto now = std::chrono::steady_clock::now();
   std::erase_if(waiting_, [&](const Waiting& waiting) {
-    if (!replies_->matched_with(waiting.reply_to.writer)) return waiting.until < now;
-    replies_->write_related(waiting.response.get(), waiting.reply_to, nullptr);
+    if (!can_be_answered(waiting.reply_to, waiting.since)) return now - waiting.since > kReplyPatience;
+    send(waiting.reply_to, waiting.response.get());
     return true;
   });
+  if (waiting_.empty()) {
+    if (look_again_) look_again_->cancel();
+  } else if (look_again_) {
+    look_again_->reset();
+  } else {
+    look_again_ = Timer::create(loop_, wall_, kLookAgain, [this] { flush_waiting(); });
+  }
 }
 
 ServiceClientBase::ServiceClientBase(EventLoop& loop) : loop_(loop) {}
@@ -123,11 +193,13 @@ Expected<void> ServiceClientBase::open(const std::shared_ptr<detail::Participant
                                        const std::string& service, const std::string& node,
                                        ServiceTypes types, const Qos& qos) {
   service_ = service;
+  types_ = types;
   Reader::Callbacks callbacks;
-  callbacks.on_message = [this](std::shared_ptr<void> response, const SampleInfo& info) {
-    on_reply(std::move(response), info);
+  callbacks.on_payload = [this](std::vector<std::uint8_t> payload, const SampleInfo& info) {
+    on_reply(std::move(payload), info);
   };
-  auto reader = Reader::create(participant, reply_options(types, service, qos, node), std::move(callbacks));
+  auto reader =
+      Reader::create(participant, raw(reply_options(types, service, qos, node)), std::move(callbacks));
   if (!reader) return tl::unexpected(reader.error());
   auto writer = Writer::create(participant, request_options(types, service, qos, node));
   if (!writer) return tl::unexpected(writer.error());
@@ -138,9 +210,20 @@ Expected<void> ServiceClientBase::open(const std::shared_ptr<detail::Participant
   return {};
 }
 
+bool ServiceClientBase::send(const void* request, SampleId* id) {
+  const auto servers = requests_->matched_readers();
+  if (servers.empty() || !std::all_of(servers.begin(), servers.end(), detail::from_cyclone))
+    return requests_->write_related(request, {replies_->gid(), kUnknownSequence}, id);
+  // Counts from where no sequence number of a writer gets to, so that both kinds can be told apart.
+  constexpr std::int64_t kFirst = std::int64_t{1} << 62;
+  id->sequence = kFirst + ++cyclone_sequence_;
+  return requests_->write_raw(encode_for_cyclone(
+      *types_.request, request, {detail::cyclone_client_number(requests_->gid()), id->sequence}));
+}
+
 void ServiceClientBase::call(const void* request, std::chrono::nanoseconds timeout, Callback callback) {
   SampleId id;
-  if (!requests_->write_related(request, {replies_->gid(), kUnknownSequence}, &id)) {
+  if (!send(request, &id)) {
     loop_.post([callback = std::move(callback), name = service_] {
       callback(fail(Outcome::kInternal, "the request to " + name + " could not be sent"));
     });
@@ -150,15 +233,22 @@ void ServiceClientBase::call(const void* request, std::chrono::nanoseconds timeo
   if (pending_.size() == 1) watch_->reset();
 }
 
-void ServiceClientBase::on_reply(std::shared_ptr<void> response, const SampleInfo& info) {
+void ServiceClientBase::on_reply(std::vector<std::uint8_t> payload, const SampleInfo& info) {
   // All clients of a service get all replies; only ours bear our name.
-  if (from_cyclone(info.id.writer)) return;
-  const Gid& asked = info.related.writer;
-  if (!replies_ || (asked != replies_->gid() && asked != requests_->gid())) return;
-  loop_.post(
-      [weak = weak_from_this(), response = std::move(response), sequence = info.related.sequence]() mutable {
-        if (auto self = weak.lock()) self->finish(sequence, std::move(response));
-      });
+  if (!replies_) return;
+  std::int64_t sequence = info.related.sequence;
+  if (detail::from_cyclone(info.id.writer)) {
+    const auto header = detail::take_cyclone_header(payload);
+    if (!header || header->client != detail::cyclone_client_number(requests_->gid())) return;
+    sequence = header->sequence;
+  } else if (info.related.writer != replies_->gid() && info.related.writer != requests_->gid()) {
+    return;
+  }
+  auto [response, fault] = decode(*types_.response, payload);
+  if (fault != nullptr) return;
+  loop_.post([weak = weak_from_this(), response = std::move(response), sequence]() mutable {
+    if (auto self = weak.lock()) self->finish(sequence, std::move(response));
+  });
 }
 
 void ServiceClientBase::finish(std::int64_t sequence, std::shared_ptr<void> response) {

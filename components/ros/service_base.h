@@ -1,5 +1,6 @@
-// Services as rmw_fastrtps does them, without the types: requests on rq/NAMERequest, replies on rr/NAMEReply,
-// joined by the identity of the request's sample. service.h adds the types.
+// Services without the types: requests on rq/NAMERequest, replies on rr/NAMEReply, joined by the identity of
+// the request's sample as rmw_fastrtps does it, or by a header as rmw_cyclonedds does it, whichever the other
+// side speaks (docs/design/072). service.h adds the types.
 #pragma once
 
 #include <chrono>
@@ -9,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,11 +26,18 @@ struct ServiceTypes {
   const idl::TypeSupport* response;
 };
 
+// Where a reply goes: the identity that it is related to, and the number of the client where that is one of
+// rmw_cyclonedds; request.sequence is then the client's own count.
+struct ReplyTo {
+  SampleId request;
+  std::uint64_t cyclone_client = 0;
+};
+
 // Everything but creation happens in the event loop's thread.
 class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase> {
  public:
-  // Gets a request (own it) and the identity that its reply must carry.
-  using Handler = std::function<void(std::shared_ptr<void> request, const SampleId& reply_to)>;
+  // Gets a request (own it) and where its reply must go.
+  using Handler = std::function<void(std::shared_ptr<void> request, const ReplyTo& reply_to)>;
   using DropReport = std::function<void(const std::string& why)>;
 
   ServiceServerBase(EventLoop& loop, Handler handler, DropReport report);
@@ -37,7 +46,7 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
 
   // Answers. A client whose reply reader is not matched yet gets its answer once it is, within two seconds.
   // `response` is kept until then.
-  void reply(const SampleId& reply_to, std::shared_ptr<const void> response);
+  void reply(const ReplyTo& reply_to, std::shared_ptr<const void> response);
 
   // To see a request at once, in the thread that delivers it and after it was queued: for cancel flags only.
   using Glance = std::function<void(const void* request)>;
@@ -50,30 +59,38 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
   }
 
   // As the reader calls it; public for tests.
-  void on_request(std::shared_ptr<void> request, const SampleInfo& info);
+  void on_request(std::vector<std::uint8_t> payload, const SampleInfo& info);
 
  private:
   struct Entry {
     std::shared_ptr<void> request;
-    SampleId reply_to;
+    ReplyTo reply_to;
   };
   struct Waiting {
-    SampleId reply_to;
+    ReplyTo reply_to;
     std::shared_ptr<const void> response;
-    std::chrono::steady_clock::time_point until;
+    std::chrono::steady_clock::time_point since;
   };
   void on_dropped(const std::string& why);
   void handle_one();
+  bool can_be_answered(const ReplyTo& reply_to, std::chrono::steady_clock::time_point since);
+  bool cyclone_can_be_answered(const Gid& client, std::chrono::steady_clock::time_point since);
+  void send(const ReplyTo& reply_to, const void* response);
   void flush_waiting();
 
   EventLoop& loop_;
   Handler handler_;
   Glance glance_;
   DropReport report_;
+  ServiceTypes types_{};
+  std::shared_ptr<detail::Participant> participant_;
   std::mutex mutex_;  // guards glance_, requests_ and dropped_
   std::deque<Entry> requests_;
   std::uint64_t dropped_ = 0;
   std::deque<Waiting> waiting_;
+  std::set<Gid> acquainted_;  // clients of rmw_cyclonedds that have begun to follow our replies
+  Clock wall_;
+  std::shared_ptr<Timer> look_again_;  // active while anything is waiting
   std::shared_ptr<Writer> replies_;
   std::shared_ptr<Reader> requests_reader_;
 };
@@ -103,14 +120,17 @@ class ServiceClientBase : public std::enable_shared_from_this<ServiceClientBase>
     Callback callback;
     std::chrono::steady_clock::time_point until;
   };
-  void on_reply(std::shared_ptr<void> response, const SampleInfo& info);
+  void on_reply(std::vector<std::uint8_t> payload, const SampleInfo& info);
+  bool send(const void* request, SampleId* id);
   void finish(std::int64_t sequence, std::shared_ptr<void> response);
   void drop_late();
 
   EventLoop& loop_;
   Clock wall_;
   std::string service_;
+  ServiceTypes types_{};
   std::map<std::int64_t, Pending> pending_;  // by sequence number of the request
+  std::int64_t cyclone_sequence_ = 0;        // of the last request in rmw_cyclonedds's format
   std::shared_ptr<Timer> watch_;             // active while anything is pending
   std::shared_ptr<Writer> requests_;
   std::shared_ptr<Reader> replies_;

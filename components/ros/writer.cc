@@ -12,6 +12,18 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastrtps::types::ReturnCode_t;
 
+namespace {
+
+rtps::WriteParams to_params(const SampleId& related) {
+  rtps::WriteParams params;
+  params.related_sample_identity().writer_guid(detail::to_guid(related.writer));
+  params.related_sample_identity().sequence_number() = rtps::SequenceNumber_t(
+      static_cast<std::int32_t>(related.sequence >> 32), static_cast<std::uint32_t>(related.sequence));
+  return params;
+}
+
+}  // namespace
+
 EndpointOptions EndpointOptions::of(const idl::TypeSupport& support, std::string dds_topic, const Qos& qos,
                                     std::string node) {
   return {std::move(dds_topic), support.dds_name, support.description->hash, &support, qos, std::move(node)};
@@ -78,10 +90,7 @@ bool Writer::write_related(const void* message, const SampleId& related, SampleI
   detail::Outgoing out;
   out.support = impl_->options.support;
   out.message = message;
-  rtps::WriteParams params;
-  params.related_sample_identity().writer_guid(detail::to_guid(related.writer));
-  params.related_sample_identity().sequence_number() = rtps::SequenceNumber_t(
-      static_cast<std::int32_t>(related.sequence >> 32), static_cast<std::uint32_t>(related.sequence));
+  rtps::WriteParams params = to_params(related);
   if (!impl_->writer->write(&out, params)) return false;
   if (id != nullptr) {
     id->writer = detail::to_gid(params.sample_identity().writer_guid());
@@ -90,14 +99,17 @@ bool Writer::write_related(const void* message, const SampleId& related, SampleI
   return true;
 }
 
-bool Writer::write_raw(std::span<const std::uint8_t> payload) {
+bool Writer::write_raw(std::span<const std::uint8_t> payload, const SampleId* related) {
   detail::Outgoing out;
   out.payload = payload;
-  return impl_->writer->write(&out);
+  if (related == nullptr) return impl_->writer->write(&out);
+  rtps::WriteParams params = to_params(*related);
+  return impl_->writer->write(&out, params);
 }
 
 std::size_t Writer::matched() const { return impl_->matches.count(); }
 bool Writer::matched_with(const Gid& reader) const { return impl_->matches.contains(reader); }
+std::vector<Gid> Writer::matched_readers() const { return impl_->matches.all(); }
 bool Writer::wait_for_matched(std::size_t count, std::chrono::nanoseconds timeout) const {
   return impl_->matches.wait_for(count, timeout);
 }

@@ -2,7 +2,6 @@
  *   cyclone_peer read DOMAIN SECONDS      prints what it receives on /world_state, /joint_states and /rosout
  *   cyclone_peer write DOMAIN SECONDS     publishes std_msgs/String on /instruction, ten times a second
  *   cyclone_peer churn DOMAIN SECONDS     readers and writers on our topics, silent, then a clean exit
- *   cyclone_peer call DOMAIN SECONDS      sends requests to /add in rmw_cyclonedds's format
  */
 #include <dds/dds.h>
 #include <inttypes.h>
@@ -11,7 +10,6 @@
 #include <string.h>
 
 #include "goalnet_msgs.h"
-#include "example_interfaces.h"
 #include "rcl_interfaces.h"
 #include "sensor_msgs.h"
 #include "std_msgs.h"
@@ -144,20 +142,9 @@ static void churn(dds_entity_t p, dds_time_t end) {
   }
 }
 
-/* rmw_cyclonedds puts client id and sequence number in front: four 32-bit words here stand for those 16 bytes. */
-static void call(dds_entity_t p, dds_time_t end) {
-  const dds_entity_t out = writer(p, topic(p, &example_interfaces_srv_AddTwoInts_Request_desc,
-                                           "example_interfaces::srv::dds_::AddTwoInts_Request_", "rq/addRequest"));
-  while (dds_time() < end) {
-    const example_interfaces_srv_AddTwoInts_Request header_like = {.a = 1, .b = 2};
-    check(dds_write(out, &header_like), "write");
-    dds_sleepfor(DDS_MSECS(50));
-  }
-}
-
 int main(int argc, char** argv) {
   if (argc != 4) {
-    fprintf(stderr, "usage: cyclone_peer read|write|churn|call DOMAIN SECONDS\n");
+    fprintf(stderr, "usage: cyclone_peer read|write|churn DOMAIN SECONDS\n");
     return 2;
   }
   const dds_entity_t participant = dds_create_participant((dds_domainid_t)atoi(argv[2]), NULL, NULL);
@@ -166,7 +153,6 @@ int main(int argc, char** argv) {
   if (strcmp(argv[1], "read") == 0) read_all(participant, end);
   if (strcmp(argv[1], "write") == 0) write_all(participant, end);
   if (strcmp(argv[1], "churn") == 0) churn(participant, end);
-  if (strcmp(argv[1], "call") == 0) call(participant, end);
   dds_delete(participant);
   return 0;
 }

@@ -44,6 +44,11 @@ class Matches {
     return std::find(gids_.begin(), gids_.end(), gid) != gids_.end();
   }
 
+  std::vector<Gid> all() const {
+    std::lock_guard lock(mutex_);
+    return gids_;
+  }
+
   bool wait_for(std::size_t count, std::chrono::nanoseconds timeout) const {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, timeout, [&] { return gids_.size() >= count; });

@@ -233,6 +233,7 @@ void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipa
   const Gid writer = to_gid(info.info.guid());
   if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER) {
     participant.written_.forget(topic, writer);
+    participant.cyclone_clients_.forget(writer);
     return;
   }
   const auto& user_data = info.info.m_qos.m_userData;
@@ -240,12 +241,18 @@ void Participant::DiscoveryListener::on_publisher_discovery(dds::DomainParticipa
   participant.written_.note(
       topic, writer,
       {info.info.typeName().to_string(), type_hash_of(user_data), offered_qos(info.info.m_qos)});
+  participant.cyclone_clients_.note_writer(writer, topic, user_data_value(user_data, "clientid"));
 }
 
 void Participant::DiscoveryListener::on_subscriber_discovery(dds::DomainParticipant*,
                                                              rtps::ReaderDiscoveryInfo&& info) {
+  const Gid reader = to_gid(info.info.guid());
+  if (info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER) participant.cyclone_clients_.forget(reader);
   if (info.status != rtps::ReaderDiscoveryInfo::DISCOVERED_READER) return;
-  participant.check_type_hash(info.info.typeName().to_string(), info.info.m_qos.m_userData);
+  const auto& user_data = info.info.m_qos.m_userData;
+  participant.check_type_hash(info.info.typeName().to_string(), user_data);
+  participant.cyclone_clients_.note_reader(reader, info.info.topicName().to_string(),
+                                           user_data_value(user_data, "clientid"));
 }
 
 void Participant::check_type_hash(const std::string& dds_type, std::span<const std::uint8_t> user_data) {

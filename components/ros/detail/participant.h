@@ -19,6 +19,7 @@
 
 #include "components/core/outcome.h"
 #include "components/ros/context.h"
+#include "components/ros/detail/cyclone_clients.h"
 #include "components/ros/detail/graph.h"
 #include "components/ros/detail/graph_peers.h"
 #include "components/ros/detail/user_data.h"
@@ -73,6 +74,7 @@ class Participant : public std::enable_shared_from_this<Participant> {
 
   // Who writes what, of this process and of others.
   WrittenTopics& written() { return written_; }
+  CycloneClients& cyclone_clients() { return cyclone_clients_; }
 
  private:
   // Hears of endpoints elsewhere, and of participants that leave.
@@ -116,6 +118,7 @@ class Participant : public std::enable_shared_from_this<Participant> {
   mutable std::mutex mutex_;
   DiscoveryListener listener_{*this};
   WrittenTopics written_;
+  CycloneClients cyclone_clients_;
   std::mutex foreign_types_mutex_;
   std::set<std::string> foreign_types_;  // of ours, that were announced with another hash
   std::map<std::string, SharedTopic> topics_;

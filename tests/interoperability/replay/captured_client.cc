@@ -29,11 +29,6 @@ std::string reply_type(const std::string& request_type) {
   return request_type.substr(0, request_type.rfind("_Request")) + "_Response";
 }
 
-Gid as_fast_dds(Gid gid) {
-  gid[1] = 0x0f;
-  return gid;
-}
-
 // Of the entity ids 00 00 NN kk only NN is ours to choose.
 int entity_number(const Gid& gid) { return gid[14]; }
 
@@ -91,21 +86,22 @@ struct CapturedClient::Impl {
     if (made == nullptr) made = participant->create_topic(name, type_name, dds::TOPIC_QOS_DEFAULT);
     return made;
   }
-  Out& out(const std::string& name, const std::string& ros_type, const Qos& profile, int number) {
+  Out& out(const std::string& name, const std::string& ros_type, const Qos& profile, int number,
+           const std::string& user_data = "") {
     auto& slot = outs[number];
     if (slot) return *slot;
     slot = std::make_unique<Out>();
-    auto qos = detail::writer_qos(profile, "");
+    auto qos = detail::writer_qos(profile, user_data);
     qos.endpoint().entity_id = static_cast<std::int16_t>(number);
     slot->writer = publisher->create_datawriter(topic(name, ros_type), qos, slot.get(),
                                                 dds::StatusMask::publication_matched());
     return *slot;
   }
-  In& in(const std::string& name, const std::string& ros_type, int number) {
+  In& in(const std::string& name, const std::string& ros_type, int number, const std::string& user_data) {
     auto& slot = ins[number];
     if (slot) return *slot;
     slot = std::make_unique<In>();
-    auto qos = detail::reader_qos(Qos::services(), "");
+    auto qos = detail::reader_qos(Qos::services(), user_data);
     qos.endpoint().entity_id = static_cast<std::int16_t>(number);
     slot->reader = subscriber->create_datareader(topic(name, ros_type), qos, slot.get(),
                                                  dds::StatusMask::data_available()
@@ -116,7 +112,7 @@ struct CapturedClient::Impl {
 
 CapturedClient::CapturedClient(int domain, const Gid& any_endpoint) : impl_(std::make_unique<Impl>()) {
   auto qos = dds::PARTICIPANT_QOS_DEFAULT;
-  qos.wire_protocol().prefix = detail::to_guid(as_fast_dds(any_endpoint)).guidPrefix;
+  qos.wire_protocol().prefix = detail::to_guid(any_endpoint).guidPrefix;
   qos.wire_protocol().builtin.discovery_config.initial_announcements = {40, {0, 20'000'000}};
   impl_->participant = dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos);
   impl_->publisher = impl_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
@@ -129,13 +125,18 @@ CapturedClient::~CapturedClient() {
 }
 
 bool CapturedClient::send(const CapturedSample& request) {
-  auto& in = impl_->in(reply_topic(request.topic), reply_type(request.type), reader_number(request));
-  auto& out = impl_->out(request.topic, request.type, Qos::services(), entity_number(request.id.writer));
+  const int number = entity_number(request.id.writer);
+  // By this rmw_cyclonedds says which reader and writer belong together.
+  const std::string client = request.header.empty() ? "" : "clientid= 1.10." + std::to_string(number) + ";";
+  auto& in = impl_->in(reply_topic(request.topic), reply_type(request.type), reader_number(request), client);
+  auto& out = impl_->out(request.topic, request.type, Qos::services(), number, client);
   for (int i = 0; i < 500 && (in.matched == 0 || out.matched == 0); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   if (in.matched == 0 || out.matched == 0) return false;
   detail::Outgoing sample;
-  sample.payload = request.payload;
+  const Bytes payload = request.as_sent();
+  sample.payload = payload;
+  if (!request.header.empty()) return out.writer->write(&sample);
   rtps::WriteParams identity;
   identity.related_sample_identity().writer_guid(in.reader->guid());
   identity.related_sample_identity().sequence_number() = rtps::SequenceNumber_t(-1, 0);

@@ -15,7 +15,7 @@ namespace goalnet::ros {
 
 class CapturedClient {
  public:
-  // `any_endpoint`: only its prefix counts. Cyclone's vendor id is replaced by Fast DDS's.
+  // `any_endpoint`: only its prefix counts.
   CapturedClient(int domain, const Gid& any_endpoint);
   ~CapturedClient();
   CapturedClient(const CapturedClient&) = delete;
@@ -26,7 +26,7 @@ class CapturedClient {
 
   struct Reply {
     SampleId related;
-    Bytes payload;
+    Bytes payload;  // with rmw_cyclonedds's header where there is one
   };
   // Replies that came for that request so far.
   std::vector<Reply> replies_to(const CapturedSample& request) const;

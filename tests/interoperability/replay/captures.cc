@@ -32,6 +32,12 @@ Bytes from_hex(const std::string& text) {
   return bytes;
 }
 
+Bytes CapturedSample::as_sent() const {
+  Bytes bytes = payload;
+  bytes.insert(bytes.begin() + 4, header.begin(), header.end());
+  return bytes;
+}
+
 std::filesystem::path captures_folder() {
   return std::filesystem::path(GOALNET_SOURCE_DIR) / ".." / "shared" / "data" / "ros2";
 }
@@ -56,7 +62,9 @@ std::vector<CapturedSample> load_captures(const CaptureSet& set) {
     }
     sample.payload = from_hex(one["payload"]);
     if (set.distro == Distro::kJazzy && (sample.is_request() || sample.is_reply())) {
-      sample.payload.erase(sample.payload.begin() + 4, sample.payload.begin() + 20);
+      const auto header = sample.payload.begin() + 4;
+      sample.header.assign(header, header + 16);
+      sample.payload.erase(header, header + 16);
     }
     samples.push_back(std::move(sample));
   }

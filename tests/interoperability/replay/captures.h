@@ -20,10 +20,12 @@ struct CapturedSample {
   std::string type;                 // ROS name, pkg/msg/Type
   SampleId id;                      // of the writer
   std::optional<SampleId> related;  // from the inline QoS
-  Bytes payload;                    // with encapsulation; without rmw_cyclonedds's header of services
+  Bytes payload;                    // with encapsulation; without the header below
+  Bytes header;                     // of services by rmw_cyclonedds: 16 bytes between the two
 
   bool is_request() const { return topic.starts_with("rq/"); }
   bool is_reply() const { return topic.starts_with("rr/"); }
+  Bytes as_sent() const;
   bool from(const std::string& full_name) const { return node == full_name; }
 };
 

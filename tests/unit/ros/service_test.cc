@@ -1,6 +1,8 @@
 // Services between nodes, participants and across a restart of the server.
 #include <gtest/gtest.h>
 
+#include "components/ros/detail/cyclone_service.h"
+#include "components/ros/detail/message_type.h"
 #include "components/ros/service.h"
 #include "example_interfaces/srv/AddTwoInts_service.h"
 #include "std_srvs/srv/Trigger_service.h"
@@ -123,27 +125,41 @@ TEST(Service, ClientsSurviveRestartsOfTheServer) {
   }
 }
 
-TEST(Service, CycloneRequestsAreNotExecuted) {
+TEST(Service, ReadsEachRequestInTheFormatOfWhoSentIt) {
   auto context = make_context(kServiceDomain);
   EventLoop loop;
-  int calls = 0;
+  std::vector<std::pair<std::int64_t, ReplyTo>> calls;
+  std::vector<std::string> dropped;
   const auto types = service_types<AddTwoInts>();
   auto server = std::make_shared<ServiceServerBase>(
-      loop, [&](std::shared_ptr<void>, const SampleId&) { ++calls; }, [](const std::string&) {});
+      loop,
+      [&](std::shared_ptr<void> request, const ReplyTo& reply_to) {
+        const auto& sum = *std::static_pointer_cast<AddTwoInts::Request>(request);
+        calls.emplace_back(sum.a() * 1000 + sum.b(), reply_to);
+      },
+      [&](const std::string& why) { dropped.push_back(why); });
   ASSERT_TRUE(server->open(context->participant(), "/add", "", types, Qos::services()));
-  // Only the vendor id of the writer tells them apart; a real Cyclone client is tried in
+  const AddTwoInts::Request request = sum_of(3, 4);
+  const auto payload = detail::encode(idl::type_support<AddTwoInts::Request>(), &request);
+  // Only the vendor id of the writer tells them apart; real clients of Cyclone are tried in
   // tests/interoperability.
   SampleInfo info;
-  info.id.writer = {0x01, 0x10};
-  server->on_request(std::make_shared<AddTwoInts::Request>(), info);
+  info.id = {{0x01, 0x0f, 9}, 5};
+  info.related.writer = {0x01, 0x0f, 9, 9};
+  server->on_request(payload, info);
+  info.id.writer = {0x01, 0x10, 8};
+  server->on_request(detail::with_cyclone_header(payload, {77, 12}), info);
+  server->on_request({0, 1, 0, 0, 1, 2, 3}, info);  // too short for a header
+  server->on_request(payload, info);                // a header, and no message behind it
   while (loop.run_pending()) {
   }
-  EXPECT_EQ(calls, 0);
-  info.id.writer = {0x01, 0x0f};
-  server->on_request(std::make_shared<AddTwoInts::Request>(), info);
-  while (loop.run_pending()) {
-  }
-  EXPECT_EQ(calls, 1);
+  ASSERT_EQ(calls.size(), 2u);
+  EXPECT_EQ(calls[0].first, 3004);
+  EXPECT_EQ(calls[0].second.request, (SampleId{info.related.writer, 5}));
+  EXPECT_EQ(calls[1].first, 3004);
+  EXPECT_EQ(calls[1].second.request, (SampleId{info.id.writer, 12}));
+  EXPECT_EQ(calls[1].second.cyclone_client, 77u);
+  EXPECT_EQ(dropped.size(), 1u) << "told once, not for each";
 }
 
 }  // namespace

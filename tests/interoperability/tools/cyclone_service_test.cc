@@ -1,0 +1,97 @@
+// Services with Cyclone DDS on the other side, in the format of rmw_cyclonedds.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "components/ros/service.h"
+#include "example_interfaces/srv/AddTwoInts_service.h"
+#include "tests/support/process.h"
+#include "tests/unit/ros/support.h"
+
+namespace goalnet::ros {
+namespace {
+
+using namespace std::chrono_literals;
+using example_interfaces::srv::AddTwoInts;
+using testing_support::Process;
+
+const int kDomain = test_domain(128);
+
+std::unique_ptr<Process> cyclone(const std::string& mode, const std::string& argument) {
+  return std::make_unique<Process>(std::vector<std::string>{testing_support::program("cyclone_services"),
+                                                            mode, std::to_string(kDomain), argument},
+                                   std::map<std::string, std::string>{});
+}
+
+AddTwoInts::Request sum_of(int a, int b) {
+  AddTwoInts::Request request;
+  request.a(a);
+  request.b(b);
+  return request;
+}
+
+std::string sums(int count) {
+  std::string text;
+  for (int i = 1; i <= count; ++i) text += "sum " + std::to_string(1000 + i) + "\n";
+  return text;
+}
+
+struct CycloneService : testing::Test {
+  std::unique_ptr<Context> context = make_context(kDomain);
+  EventLoop loop;
+  Node node{*context, loop, plain("robot")};
+
+  // Runs the loop until the process has printed all of `expected`, or 10 seconds.
+  void expect_output(const Process& process, const std::string& expected) {
+    loop.run_for(10s, [&] { return process.out().size() >= expected.size(); });
+    EXPECT_EQ(process.out(), expected) << process.err();
+  }
+};
+
+// A tool asks as soon as it has found the service, when we may not have found its reply reader yet.
+TEST_F(CycloneService, EveryShortLivedToolGetsItsAnswer) {
+  int calls = 0;
+  Server<AddTwoInts> server(node, "/add", [&](const auto& request, auto& response) {
+    ++calls;
+    response.sum(request.a() + request.b());
+  });
+  for (int i = 0; i < 15; ++i) expect_output(*cyclone("call", "1"), sums(1));
+  EXPECT_EQ(calls, 15) << "each executed once";
+}
+
+TEST_F(CycloneService, ClientsOfBothKindsAtOnceGetTheirOwnAnswers) {
+  auto elsewhere = make_context(kDomain);
+  Node other(*elsewhere, loop, plain("other"));
+  Client<AddTwoInts> client(other, "/add");
+  Server<AddTwoInts> server(
+      node, "/add", [](const auto& request, auto& response) { response.sum(request.a() + request.b()); });
+  ASSERT_TRUE(client.wait_for_service(5s));
+  int right = 0, wrong = 0;
+  std::function<void()> next = [&] {
+    const int asked = right;
+    client.call(sum_of(asked, 7), [&, asked](auto response) {
+      ++(response && (*response)->sum() == asked + 7 ? right : wrong);
+      next();
+    });
+  };
+  next();
+  const auto tool = cyclone("call", "300");
+  expect_output(*tool, sums(300));
+  EXPECT_GT(right, 100);
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST_F(CycloneService, ServersOfRmwCycloneddsAnswerUs) {
+  const auto server = cyclone("serve", "20");
+  Client<AddTwoInts> client(node, "/add");
+  ASSERT_TRUE(client.wait_for_service(5s));
+  // It finds us about when we find it; before that it hears nothing.
+  ASSERT_TRUE(server->wait_for_text("met a client", 5s));
+  for (int i = 0; i < 100; ++i) {
+    const auto response = client.call_and_run(sum_of(i, 5), 2s);
+    ASSERT_TRUE(response) << i << ": " << response.error().message;
+    ASSERT_EQ(response->sum(), i + 5);
+  }
+}
+
+}  // namespace
+}  // namespace goalnet::ros
