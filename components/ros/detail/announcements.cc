@@ -13,10 +13,8 @@ constexpr int kMostAnswersPerSecond = 100;
 constexpr auto kYouth = std::chrono::seconds(3);
 constexpr auto kPause = std::chrono::milliseconds(40);  // between two answers to one participant
 
-// RTPS 2.3: header, submessages, parameters.
-constexpr std::size_t kHeader = 20, kVendor = 6, kPrefix = 8;
+using namespace rtps_message;
 constexpr std::uint8_t kEProsima[] = {0x01, 0x0f};
-constexpr std::uint8_t kDataSubmessage = 0x15;
 constexpr std::uint8_t kLittleEndian = 0x01, kInlineQos = 0x02, kHasData = 0x04;
 constexpr std::size_t kDataHead = 20;  // flags, offset, reader, writer, sequence number
 constexpr std::size_t kWriterId = 8;
@@ -24,16 +22,6 @@ constexpr std::uint8_t kAnnouncer[] = {0x00, 0x01, 0x00, 0xc2};
 constexpr std::uint16_t kEndOfParameters = 1, kMetatrafficUnicastLocator = 0x32;
 constexpr std::size_t kLocator = 24;  // kind, port, 16 bytes of address of which IPv4 uses the last four
 constexpr std::uint32_t kUdpV4 = 1;
-
-struct Reader {
-  std::span<const std::uint8_t> bytes;
-  bool little;
-  std::uint32_t number(std::size_t at, std::size_t size) const {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i) value = value << 8 | bytes[little ? at + size - 1 - i : at + i];
-    return value;
-  }
-};
 
 // What follows a list of parameters; nothing if it does not end.
 std::span<const std::uint8_t> after_parameters(std::span<const std::uint8_t> bytes, bool little) {
@@ -52,22 +40,18 @@ std::span<const std::uint8_t> after_parameters(std::span<const std::uint8_t> byt
 // The payload of the announcing sample: it stands first in the message, or after a timestamp. Farewells have
 // a key instead of data.
 std::span<const std::uint8_t> announcing_payload(std::span<const std::uint8_t> message) {
-  std::size_t at = kHeader;
-  for (int i = 0; i < 3 && message.size() >= at + 4; ++i) {
-    const std::uint8_t flags = message[at + 1];
-    const bool little = (flags & kLittleEndian) != 0;
-    const std::size_t length = Reader{message, little}.number(at + 2, 2);
-    const auto body = message.subspan(at + 4, std::min(length, message.size() - at - 4));
-    if (message[at] == kDataSubmessage) {
-      const bool ours = body.size() > kDataHead && (flags & kHasData) != 0 &&
-                        std::equal(std::begin(kAnnouncer), std::end(kAnnouncer), body.begin() + kWriterId);
-      if (!ours) return {};
-      const auto rest = body.subspan(kDataHead);
-      return (flags & kInlineQos) != 0 ? after_parameters(rest, little) : rest;
-    }
-    at += 4 + length;
-  }
-  return {};
+  std::span<const std::uint8_t> found;
+  int looked_at = 0;
+  for_each_submessage(message, [&](std::uint8_t kind, std::uint8_t flags, auto body) {
+    if (kind != kData) return ++looked_at < 3;
+    const bool ours = body.size() > kDataHead && (flags & kHasData) != 0 &&
+                      std::equal(std::begin(kAnnouncer), std::end(kAnnouncer), body.begin() + kWriterId);
+    if (!ours) return false;
+    const auto rest = body.subspan(kDataHead);
+    found = (flags & kInlineQos) != 0 ? after_parameters(rest, (flags & kLittleEndian) != 0) : rest;
+    return false;
+  });
+  return found;
 }
 
 std::vector<UdpAddress> addresses_in(std::span<const std::uint8_t> payload) {
@@ -101,7 +85,7 @@ std::optional<Announcement> read_announcement(std::span<const std::uint8_t> mess
   const auto payload = announcing_payload(message);
   if (payload.empty()) return std::nullopt;
   Announcement announcement;
-  std::copy_n(message.begin() + kPrefix, announcement.participant.size(), announcement.participant.begin());
+  announcement.participant = prefix_at(message, kPrefix);
   announcement.addresses = addresses_in(payload);
   return announcement;
 }

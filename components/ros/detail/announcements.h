@@ -15,13 +15,9 @@
 #include <span>
 #include <vector>
 
-namespace goalnet::ros::detail {
+#include "components/ros/detail/rtps_message.h"
 
-struct UdpAddress {
-  std::array<std::uint8_t, 4> ip{};
-  std::uint16_t port = 0;
-  bool operator==(const UdpAddress&) const = default;
-};
+namespace goalnet::ros::detail {
 
 struct Announcement {
   std::array<std::uint8_t, 12> participant{};

@@ -4,8 +4,10 @@
 #include <fastdds/rtps/transport/ChainingTransport.h>
 #include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <vector>
 
 #include "components/ros/detail/introduction.h"
 
@@ -16,6 +18,36 @@ namespace rtps = eprosima::fastdds::rtps;
 using eprosima::fastrtps::rtps::Locator_t;
 using eprosima::fastrtps::rtps::LocatorsIterator;
 using eprosima::fastrtps::rtps::octet;
+
+// Fast DDS's base class has no virtual destructor; nobody owns an iterator through it.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wnon-virtual-dtor"
+// Notes where a message goes, as the transport below goes through its destinations: it can do so only once.
+class NotingIterator final : public LocatorsIterator {
+ public:
+  explicit NotingIterator(LocatorsIterator& inner) : inner_(inner) {}
+  LocatorsIterator& operator++() override {
+    ++inner_;
+    return *this;
+  }
+  bool operator==(const LocatorsIterator& other) const override { return inner_ == other; }
+  bool operator!=(const LocatorsIterator& other) const override { return inner_ != other; }
+  const Locator_t& operator*() const override {
+    const Locator_t& locator = *inner_;
+    UdpAddress address{{}, static_cast<std::uint16_t>(locator.port)};
+    std::copy_n(locator.address + 12, 4, address.ip.begin());
+    if (locator.kind == LOCATOR_KIND_UDPv4 &&
+        std::find(addresses_.begin(), addresses_.end(), address) == addresses_.end())
+      addresses_.push_back(address);
+    return locator;
+  }
+  const std::vector<UdpAddress>& addresses() const { return addresses_; }
+
+ private:
+  LocatorsIterator& inner_;
+  mutable std::vector<UdpAddress> addresses_;
+};
+#pragma GCC diagnostic pop
 
 class HeldTransport : public rtps::ChainingTransport {
  public:
@@ -30,8 +62,14 @@ class HeldTransport : public rtps::ChainingTransport {
   bool send(eprosima::fastrtps::rtps::SenderResource* lower, const octet* buffer, std::uint32_t size,
             LocatorsIterator* begin, LocatorsIterator* end,
             const std::chrono::steady_clock::time_point& timeout) override {
-    introduction_->sent({buffer, size});
-    return lower->send(buffer, size, begin, end, timeout);
+    if (!EarlyHeartbeats::is_to_cyclone({buffer, size})) {
+      introduction_->sent({buffer, size}, {});
+      return lower->send(buffer, size, begin, end, timeout);
+    }
+    NotingIterator noting(*begin);
+    const bool sent = lower->send(buffer, size, &noting, end, timeout);
+    introduction_->sent({buffer, size}, noting.addresses());
+    return sent;
   }
 
   void receive(rtps::TransportReceiverInterface* next, const octet* buffer, std::uint32_t size,

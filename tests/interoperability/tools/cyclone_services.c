@@ -1,5 +1,6 @@
 /* Services as rmw_cyclonedds makes them, on Cyclone DDS, sharing no code with goalnet:
- *   cyclone_services call DOMAIN COUNT        calls /add COUNT times, one after the other: prints "sum N"
+ *   cyclone_services call DOMAIN COUNT        calls /add COUNT times, one after the other: prints "sum N"; before
+ *                                             that, on standard error, "found MILLISECONDS" after its start
  *   cyclone_services state DOMAIN NODE        asks NODE/get_state once: prints "state ID LABEL"
  *   cyclone_services serve DOMAIN SECONDS     serves /add, prints "met a client" once it can answer one
  * A call waits five seconds for its service and as long for its answer; exit code 1 where either is missing.
@@ -14,6 +15,8 @@
 #include "cyclone_services.h"
 
 #define PATIENCE DDS_SECS(5)
+
+static dds_time_t start;
 
 typedef struct {
   dds_entity_t writer, reader;
@@ -101,6 +104,7 @@ static void call(dds_entity_t p, int count) {
             "rr/addReply"),
       client_id());
   wait_for_service(pair);
+  fprintf(stderr, "found %d\n", (int)((dds_time() - start) / 1000000));
   for (int i = 1; i <= count; ++i) {
     const with_header_AddTwoInts_Request request = {pair.number, i, i, 1000};
     check(dds_write(pair.writer, &request), "write");
@@ -155,6 +159,7 @@ int main(int argc, char** argv) {
     fprintf(stderr, "usage: cyclone_services call DOMAIN COUNT | state DOMAIN NODE | serve DOMAIN SECONDS\n");
     return 2;
   }
+  start = dds_time();
   const dds_entity_t participant = dds_create_participant((dds_domainid_t)atoi(argv[2]), NULL, NULL);
   check(participant, "participant");
   if (strcmp(argv[1], "call") == 0) call(participant, atoi(argv[3]));

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "components/ros/detail/announcements.h"
+#include "components/ros/detail/early_heartbeats.h"
 #include "components/ros/detail/participant.h"
 #include "tests/unit/ros/fake_participant.h"
 #include "tests/unit/ros/support.h"
@@ -109,6 +110,51 @@ TEST(Newcomers, AFloodIsAnsweredAHundredTimesASecond) {
     }
   }
   EXPECT_EQ(answers, 100);
+}
+
+// Header of a message from `vendor`, then a destination, then one submessage with two entity ids.
+Bytes directed(std::uint8_t vendor, std::uint8_t from, std::uint8_t to_vendor, std::uint8_t to,
+               std::uint8_t submessage, std::uint8_t writer_kind) {
+  Bytes message = {'R', 'T', 'P', 'S', 2, 3, 1, vendor, 1, vendor, from, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  message.insert(message.end(), {0x0e, 1, 12, 0, 1, to_vendor, to, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  message.insert(message.end(), {submessage, 1, 28, 0, 0, 0, 3, 0xc7, 0, 0, 3, writer_kind});
+  message.resize(message.size() + 20);
+  return message;
+}
+
+struct EarlyHeartbeatsTest : testing::Test {
+  const detail::rtps_message::Prefix own{1, 0x0f, 7};
+  const std::vector<detail::UdpAddress> to = {{{127, 0, 0, 1}, 7411}};
+  const Bytes heartbeat = directed(0x0f, 7, 0x10, 5, 0x07, 0xc2);
+  const Bytes sign = directed(0x10, 5, 0x0f, 7, 0x07, 0xc2);
+  detail::EarlyHeartbeats early;
+};
+
+TEST_F(EarlyHeartbeatsTest, AreSentAgainOnceTheNewcomerKnowsUs) {
+  early.sent(heartbeat, to);
+  EXPECT_TRUE(early.received(directed(0x10, 6, 0x0f, 7, 0x07, 0xc2), own).empty()) << "somebody else";
+  EXPECT_TRUE(early.received(directed(0x10, 5, 0x0f, 8, 0x07, 0xc2), own).empty()) << "to somebody else";
+  EXPECT_TRUE(early.received(directed(0x10, 5, 0x0f, 7, 0x15, 0xc2), own).empty()) << "no sign of it";
+  EXPECT_TRUE(early.received(std::span(sign).first(30), own).empty()) << "cut";
+  const auto again = early.received(sign, own);
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(again[0].bytes, heartbeat);
+  EXPECT_EQ(again[0].to, to);
+  EXPECT_TRUE(early.received(sign, own).empty()) << "once";
+  early.sent(heartbeat, to);
+  EXPECT_TRUE(early.received(sign, own).empty()) << "later ones were understood";
+}
+
+TEST_F(EarlyHeartbeatsTest, AreKeptOnlyForCycloneAndOnlyThoseOfDiscovery) {
+  early.sent(directed(0x0f, 7, 0x0f, 5, 0x07, 0xc2), to);  // to Fast DDS
+  early.sent(directed(0x0f, 7, 0x10, 5, 0x07, 0x03), to);  // of a user's writer
+  early.sent(directed(0x0f, 7, 0x10, 5, 0x06, 0xc2), to);  // an acknowledgment
+  EXPECT_TRUE(early.received(sign, own).empty());
+}
+
+TEST_F(EarlyHeartbeatsTest, AreFewForEach) {
+  for (int i = 0; i < 1000; ++i) early.sent(heartbeat, to);
+  EXPECT_LE(early.received(sign, own).size(), 8u);
 }
 
 // All threads of this process on one processor: whoever is woken interrupts who woke him, as on a busy
