@@ -2,22 +2,51 @@
 
 #include <cmath>
 #include <functional>
+#include <mutex>
 #include <set>
 
+#include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
 namespace goalnet::robot {
 namespace {
 
+constexpr double kFarthest = 1e3;  // [m] nothing of a robot is farther from its parent, or larger
+
+// What urdfdom complains of while this lives. It leaves out an element that it cannot read, prints a line and
+// goes on: a link would have no collision shape, or no mass, and nobody would know.
+class Complaints : public console_bridge::OutputHandler {
+ public:
+  Complaints() : lock_(one_at_a_time()) { console_bridge::useOutputHandler(this); }
+  ~Complaints() override { console_bridge::restorePreviousOutputHandler(); }
+
+  void log(const std::string& what, console_bridge::LogLevel level, const char*, int) override {
+    constexpr std::size_t kMost = 400;
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || text_.size() > kMost) return;
+    text_ += (text_.empty() ? "" : "; ") + what.substr(0, kMost);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  static std::mutex& one_at_a_time() {
+    static std::mutex mutex;  // console_bridge has one handler for all threads
+    return mutex;
+  }
+  std::lock_guard<std::mutex> lock_;
+  std::string text_;
+};
+
 bool finite(const urdf::Pose& pose) {
   const auto& p = pose.position;
   const auto& r = pose.rotation;
   const double norm = r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w;
-  return std::isfinite(p.x + p.y + p.z) && std::isfinite(norm) && std::abs(norm - 1.0) < 1e-6;
+  const double distance = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+  return distance <= kFarthest && std::isfinite(norm) && std::abs(norm - 1.0) < 1e-6;
 }
 
 std::string check_joint(const urdf::Joint& joint) {
-  if (!finite(joint.parent_to_joint_origin_transform)) return "has an origin that is not a finite pose";
+  if (!finite(joint.parent_to_joint_origin_transform))
+    return "has an origin that is not a finite pose within 1 km";
   if (joint.type == urdf::Joint::FIXED) return "";
   if (joint.type != urdf::Joint::REVOLUTE && joint.type != urdf::Joint::CONTINUOUS &&
       joint.type != urdf::Joint::PRISMATIC) {
@@ -43,11 +72,37 @@ std::string check_inertia(const urdf::Link& link) {
   if (!link.inertial) return "";
   const auto& i = *link.inertial;
   if (!std::isfinite(i.mass) || i.mass < 0) return "has a mass that is negative or not finite";
-  if (!finite(i.origin)) return "has an inertial origin that is not a finite pose";
+  if (!finite(i.origin)) return "has an inertial origin that is not a finite pose within 1 km";
   for (double v : {i.ixx, i.iyy, i.izz, i.ixy, i.ixz, i.iyz}) {
     if (!std::isfinite(v)) return "has an inertia that is not finite";
   }
   if (i.ixx < 0 || i.iyy < 0 || i.izz < 0) return "has a negative moment of inertia";
+  return "";
+}
+
+std::string check_collision(const urdf::Collision& collision) {
+  if (!finite(collision.origin)) return "has a <collision> whose origin is not a finite pose within 1 km";
+  std::vector<double> sizes;
+  if (const auto* box = dynamic_cast<const urdf::Box*>(collision.geometry.get())) {
+    sizes = {box->dim.x, box->dim.y, box->dim.z};
+  } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(collision.geometry.get())) {
+    sizes = {cylinder->radius, cylinder->length};
+  } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(collision.geometry.get())) {
+    sizes = {sphere->radius};
+  } else {
+    return "has a <collision> that is neither box, cylinder nor sphere; approximate it with those";
+  }
+  for (const double size : sizes) {
+    if (!(size > 0.0 && size <= kFarthest)) return "has a <collision> with a size outside 0 .. 1 km";
+  }
+  return "";
+}
+
+std::string check_link(const urdf::Link& link) {
+  if (const auto what = check_inertia(link); !what.empty()) return what;
+  for (const auto& collision : link.collision_array) {
+    if (const auto what = check_collision(*collision); !what.empty()) return what;
+  }
   return "";
 }
 
@@ -74,16 +129,15 @@ Expected<urdf::ModelInterfaceSharedPtr> parse_urdf(const std::string& xml, const
   if (xml.size() > (4u << 20))
     return bad("larger than 4 MB; a robot description is text with primitive shapes");
   urdf::ModelInterfaceSharedPtr model;
+  const Complaints complaints;
   try {
     model = urdf::parseURDF(xml);
   } catch (const std::exception& e) {
     return bad(std::string("urdfdom cannot read it: ") + e.what());
   }
-  if (!model || !model->getRoot()) {
-    return bad(
-        "not a valid URDF: XML malformed, or a link or joint is missing or repeated (urdfdom says more "
-        "above)");
-  }
+  if (!complaints.text().empty()) return bad("not a valid URDF: " + complaints.text());
+  if (!model || !model->getRoot())
+    return bad("not a valid URDF: XML malformed, or a link or joint is missing or repeated");
   if (model->links_.size() > kMaxLinks) return bad("more than " + std::to_string(kMaxLinks) + " links");
   const auto joints = joints_depth_first(*model);
   if (joints.size() + 1 != model->links_.size()) return bad("its links do not form one tree");
@@ -92,7 +146,7 @@ Expected<urdf::ModelInterfaceSharedPtr> parse_urdf(const std::string& xml, const
       return bad("joint '" + joint->name + "' " + what);
   }
   for (const auto& [name, link] : model->links_) {
-    if (const auto what = check_inertia(*link); !what.empty()) return bad("link '" + name + "' " + what);
+    if (const auto what = check_link(*link); !what.empty()) return bad("link '" + name + "' " + what);
   }
   return model;
 }

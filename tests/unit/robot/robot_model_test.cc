@@ -111,6 +111,24 @@ TEST(RobotModel, UrdfSlipsNameTheElement) {
   EXPECT_THAT(urdf_slip("<mass value=\"55\"/>", "<mass value=\"-55\"/>").message, HasSubstr("'base_link'"));
   EXPECT_THAT(urdf_slip("velocity=\"0.8\"", "velocity=\"0\"").message, HasSubstr("above zero"));
   EXPECT_THAT(urdf_slip("lower=\"-20\"", "lower=\"nan\"").message, testing::Not(HasSubstr("no error")));
+  EXPECT_THAT(
+      urdf_slip("<origin xyz=\"0 0 0\"/>\n    <axis", "<origin xyz=\"0 0 1e300\"/>\n    <axis").message,
+      HasSubstr("within 1 km"));
+}
+
+// urdfdom leaves out what it cannot read and goes on: the robot would be planned for without that shape.
+TEST(RobotModel, NoShapeOrMassIsLeftOutSilently) {
+  EXPECT_THAT(urdf_slip("<mass value=\"55\"/>", "<mass value=\"heavy\"/>").message,
+              testing::AllOf(HasSubstr("heavy"), HasSubstr("base_link")));
+  const std::string urdf = read(kDirectory + "/default.urdf");
+  const std::size_t begin = urdf.find("<collision>"), end = urdf.find("</collision>");
+  const std::string shape = urdf.substr(begin, end - begin);
+  EXPECT_THAT(urdf_slip(shape, "<collision><geometry><box size=\"1 .inf 1\"/></geometry>").message,
+              HasSubstr("collision"));
+  EXPECT_THAT(urdf_slip(shape, "<collision><geometry><box size=\"1 -1 1\"/></geometry>").message,
+              HasSubstr("size"));
+  EXPECT_THAT(urdf_slip(shape, "<collision><geometry><mesh filename=\"a.stl\"/></geometry>").message,
+              HasSubstr("approximate"));
 }
 
 }  // namespace
