@@ -36,7 +36,8 @@ WorldModelSession::WorldModelSession(ros::Node& node, const scene::Scene& scene,
       scene_(scene),
       robot_(robot),
       params_(params),
-      model_(std::make_unique<WorldModel>(scene_, robot_, params_.core)) {
+      model_(std::make_unique<WorldModel>(scene_, robot_, params_.core)),
+      opened_ns_(node.now().nanoseconds) {
   open_topics();
 }
 
@@ -59,7 +60,7 @@ void WorldModelSession::on_poses(const goalnet_msgs::msg::ObjectPoses& message) 
   observed.objects.reserve(message.objects().size());
   for (const auto& object : message.objects())
     observed.objects.push_back({object.name(), from_message(object.pose())});
-  start_over_if_time_jumped_back(observed.time_ns);
+  start_over_if_time_jumped_back(poses_ns_, observed.time_ns);
   poses_ns_ = observed.time_ns;
   ++observations_;
   report_ignored("object_poses", model_->observe(observed));
@@ -67,8 +68,9 @@ void WorldModelSession::on_poses(const goalnet_msgs::msg::ObjectPoses& message) 
 }
 
 void WorldModelSession::on_joints(const sensor_msgs::msg::JointState& message) {
-  start_over_if_time_jumped_back(messages::to_nanoseconds(message.header().stamp()));
-  joints_ns_ = messages::to_nanoseconds(message.header().stamp());
+  const std::int64_t time_ns = messages::to_nanoseconds(message.header().stamp());
+  start_over_if_time_jumped_back(joints_ns_, time_ns);
+  joints_ns_ = time_ns;
   ++observations_;
   report_ignored("joint_states",
                  model_->observe(ObservedJoints{joints_ns_, message.name(), message.position()}));
@@ -77,6 +79,9 @@ void WorldModelSession::on_joints(const sensor_msgs::msg::JointState& message) {
 void WorldModelSession::on_states(const goalnet_msgs::msg::ObjectStates& message) {
   if (message.objects().size() > messages::kMaxObjects)
     return report_ignored("object_states", message.objects().size());
+  std::size_t values = 0;
+  for (const auto& object : message.objects()) values += object.values().size();
+  if (values > messages::kMaxObjects) return report_ignored("object_states", values);
   states_.clear();
   for (const auto& object : message.objects()) states_.push_back({object.name(), object.values()});
   report_ignored("object_states", model_->observe(states_));
@@ -95,7 +100,7 @@ void WorldModelSession::publish_regularly() {
   const bool poses_stale = now - poses_ns_ > limit, joints_stale = now - joints_ns_ > limit;
   if (!model_->complete() || poses_stale || joints_stale) {
     if (stale_reported_ns_ && now - *stale_reported_ns_ < kStaleReportPeriod) return;
-    if (!stale_reported_ns_ && !published_ && now < kStaleReportPeriod) return;  // just starting
+    if (!stale_reported_ns_ && !published_ && now - opened_ns_ < kStaleReportPeriod) return;  // just starting
     stale_reported_ns_ = now;
     node_.log().error(
         "the world is not known: no {} for more than {} s; is the simulator or the perception running?",
@@ -141,11 +146,14 @@ void WorldModelSession::publish() {
   published_ns_ = model_->time_ns();
 }
 
-// A simulator that was started anew counts from zero; the old history means nothing then.
-void WorldModelSession::start_over_if_time_jumped_back(std::int64_t time_ns) {
-  if (time_ns >= std::max(poses_ns_, joints_ns_) - kSecond) return;
-  node_.log().warn("time jumped back by {:.1f} s: starting over",
-                   1e-9 * static_cast<double>(std::max(poses_ns_, joints_ns_) - time_ns));
+// A simulator that was started anew counts from zero; the old history means nothing then. Each topic is
+// compared with itself: cameras may be seconds behind the joints, which is no jump.
+void WorldModelSession::start_over_if_time_jumped_back(std::int64_t last_ns, std::int64_t time_ns) {
+  if (time_ns >= last_ns - kSecond) return;
+  jumps_.write([&](const std::string& more) {
+    node_.log().warn("time jumped back by {:.1f} s: starting over{}",
+                     1e-9 * static_cast<double>(last_ns - time_ns), more);
+  });
   model_ = std::make_unique<WorldModel>(scene_, robot_, params_.core);
   static_cast<void>(model_->observe(states_));
   poses_ns_ = joints_ns_ = time_ns;

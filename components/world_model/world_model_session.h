@@ -14,6 +14,7 @@
 #include "components/core/outcome.h"
 #include "components/robot/robot_model.h"
 #include "components/ros/diagnostics.h"
+#include "components/ros/log_limit.h"
 #include "components/ros/node.h"
 #include "components/scene/scene.h"
 #include "components/world_model/world_model.h"
@@ -49,7 +50,7 @@ class WorldModelSession {
   void publish_regularly();
   void publish();
   void watch_for_silence();
-  void start_over_if_time_jumped_back(std::int64_t time_ns);
+  void start_over_if_time_jumped_back(std::int64_t last_ns, std::int64_t time_ns);
   void report_ignored(const char* topic, std::size_t count);
 
   ros::Node& node_;
@@ -58,12 +59,14 @@ class WorldModelSession {
   const SessionParams& params_;
   std::unique_ptr<WorldModel> model_;
   std::vector<ObservedState> states_;  // the last, for a model that starts over
+  std::int64_t opened_ns_ = 0;         // when this session began
   std::int64_t poses_ns_ = 0, joints_ns_ = 0;
   std::optional<std::int64_t> computed_ns_;
   std::optional<WorldState> published_;
   std::int64_t published_ns_ = 0;  // stamp of what was published last
   std::optional<std::int64_t> stale_reported_ns_;
   std::uint64_t ignored_reports_ = 0;
+  ros::LogLimit jumps_;
   std::uint64_t observations_ = 0, observations_before_ = 0;  // counted by watch_for_silence()
   bool silence_reported_ = false;
 

@@ -22,13 +22,8 @@ class WorldModelNodeTest : public testing::Test {
     context_ =
         ros::Context::create({.domain_id = 172 + static_cast<int>(getpid() % 20), .process_only = true})
             .value();
-    const auto arguments =
-        ros::parse_arguments({"--ros-args", "--disable-stdout-logs", "-p", "use_sim_time:=true"}).value();
-    node_ = ros::Node::create(*context_, loop_, {.name = "world_model", .arguments = arguments}).value();
     client_ = ros::Node::create(*context_, loop_, {.name = "client", .arguments = {}}).value();
-    auto made = WorldModelNode::create(*node_);
-    ASSERT_TRUE(made) << made.error().message;
-    world_model_ = std::move(*made);
+    make_world_model();
     clock_ = client_->advertise<rosgraph_msgs::msg::Clock>("/clock", ros::Qos::clock());
     poses_ = client_->advertise<goalnet_msgs::msg::ObjectPoses>("object_poses");
     joints_ = client_->advertise<sensor_msgs::msg::JointState>("joint_states");
@@ -53,6 +48,19 @@ class WorldModelNodeTest : public testing::Test {
     }
   }
 
+  // Anew, with other parameters: "stale_after:=10.0".
+  void make_world_model(const std::string& parameter = "stale_after:=0.5") {
+    world_model_.reset();
+    node_.reset();
+    const auto arguments = ros::parse_arguments({"--ros-args", "--disable-stdout-logs", "-p",
+                                                 "use_sim_time:=true", "-p", parameter})
+                               .value();
+    node_ = ros::Node::create(*context_, loop_, {.name = "world_model", .arguments = arguments}).value();
+    auto made = WorldModelNode::create(*node_);
+    ASSERT_TRUE(made) << made.error().message;
+    world_model_ = std::move(*made);
+  }
+
   static void set(goalnet_msgs::msg::ObjectPose& object, const scene::Pose& pose) {
     const Eigen::Quaterniond q(pose.linear());
     object.pose().position().x(pose.translation().x());
@@ -70,7 +78,7 @@ class WorldModelNodeTest : public testing::Test {
     message.clock(messages::to_stamp(time_ns_));
     clock_->publish(message);
     joint_states_.header().stamp(messages::to_stamp(time_ns_));
-    object_poses_.header().stamp(messages::to_stamp(time_ns_));
+    object_poses_.header().stamp(messages::to_stamp(time_ns_ - poses_late_ns_));
     if (send_joints_) joints_->publish(joint_states_);
     if (send_poses_) poses_->publish(object_poses_);
     while (loop_.run_pending()) {
@@ -97,6 +105,7 @@ class WorldModelNodeTest : public testing::Test {
   sensor_msgs::msg::JointState joint_states_;
   goalnet_msgs::msg::ObjectPoses object_poses_;
   std::int64_t time_ns_ = 0;
+  std::int64_t poses_late_ns_ = 0;  // how long perception takes
   bool send_joints_ = true, send_poses_ = true;
 };
 
@@ -154,6 +163,16 @@ TEST_F(WorldModelNodeTest, StartsOverWhenTheSimulatorDoes) {
   run(0.5);
   ASSERT_FALSE(seen_.empty());
   EXPECT_LE(messages::to_nanoseconds(seen_.back().header().stamp()), time_ns_);
+  EXPECT_TRUE(holds("On Mug_1 Counter_1"));
+}
+
+TEST_F(WorldModelNodeTest, SlowPerceptionIsNoJumpInTime) {
+  make_world_model("stale_after:=10.0");
+  poses_late_ns_ = 3'000'000'000;
+  time_ns_ = 20'000'000'000;
+  run(1.0);
+  ASSERT_FALSE(seen_.empty());
+  EXPECT_EQ(messages::to_nanoseconds(seen_.back().header().stamp()), time_ns_ - poses_late_ns_);
   EXPECT_TRUE(holds("On Mug_1 Counter_1"));
 }
 
