@@ -7,6 +7,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr std::uint32_t kMostSteps = 1000;  // the largest max_steps; statuses come from the network
+
 template <class Range>
 ordered_json texts(const Range& range) {
   ordered_json list = ordered_json::array();
@@ -30,6 +32,7 @@ void RunRecord::on_status(const coordinator::Report& report) {
   // While the next step is being inferred its goal is unknown; what was carried out belongs to the one
   // before.
   if (!report.goal.empty()) {
+    if (report.step >= kMostSteps) return;  // nobody of ours says so
     if (steps_.size() <= report.step) steps_.resize(report.step + 1);
     steps_[report.step].goal = report.goal;
   }

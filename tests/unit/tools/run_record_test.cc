@@ -32,6 +32,19 @@ TEST(RunRecord, CollectsStepsAndDifferences) {
   EXPECT_EQ(record.steps().size(), 1u) << "the second step is not known yet";
 }
 
+TEST(RunRecord, AStepThatCannotBeIsLeftOut) {
+  RunRecord record;
+  Report report;
+  report.id = 1;
+  report.stage = Stage::kActing;
+  report.goal = goal({"(Grasping Robot Mug_1)"});
+  for (const std::uint32_t step : {1000u, 4'000'000'000u, 4'294'967'295u}) {
+    report.step = step;
+    record.on_status(report);
+  }
+  EXPECT_TRUE(record.steps().empty());
+}
+
 TEST(RunRecord, AnActionBelongsToTheStepThatGaveIt) {
   RunRecord record;
   Report report;
