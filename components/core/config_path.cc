@@ -6,11 +6,20 @@
 
 namespace goalnet {
 
+std::string program_folder() {
+  std::error_code failed;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", failed);
+  return failed ? "." : program.parent_path().string();
+}
+
 std::string config_folder() {
   if (const char* folder = std::getenv("GOALNET_CONFIG_DIR"); folder != nullptr && *folder != '\0')
     return folder;
   std::error_code ignored;
   if (std::filesystem::is_directory("config/scenes", ignored)) return "config";
+  std::string installed = program_folder() + "/../share/goalnet/config";
+  if (std::filesystem::is_directory(installed, ignored))
+    return std::filesystem::path(installed).lexically_normal().string();
   return GOALNET_CONFIG_FOLDER;
 }
 

@@ -1,4 +1,4 @@
-// Where configuration files lie.
+// Where this program and its configuration lie.
 #pragma once
 
 #include <string>
@@ -6,8 +6,12 @@
 
 namespace goalnet {
 
+// The folder in which this program lies.
+std::string program_folder();
+
 // The folder `config`: the environment variable GOALNET_CONFIG_DIR, else ./config if it is ours (has
-// scenes/), else the one this program was built with.
+// scenes/), else the one installed with this program (../share/goalnet/config beside its folder), else that
+// of the source tree it was built from.
 std::string config_folder();
 
 // config_path("domains/household.pddl") is that file in the folder above.

@@ -96,7 +96,9 @@ Expected<void> write_runs(const std::vector<ModelRun>& runs, const std::filesyst
   for (const ModelRun& run : runs) {
     nlohmann::json state = nlohmann::json::array();
     for (const Predicate& fact : run.final_state) state.push_back(to_string(fact));
-    file << nlohmann::json{{"id", run.id}, {"actions", run.actions}, {"final_state", state}}.dump() << '\n';
+    const nlohmann::json line = {{"id", run.id}, {"actions", run.actions}, {"final_state", state}};
+    // A file name need not be UTF-8.
+    file << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   }
   file.flush();
   if (!file) return fail(Outcome::kInvalidRequest, path.string() + ": cannot be written");

@@ -71,6 +71,37 @@ TEST_F(BadInput, RefusalAsJson) {
   EXPECT_THAT(json["message"].get<std::string>(), HasSubstr("empty"));
 }
 
+// "--json prints one JSON object on standard output": also when nothing can be done, and when what is to be
+// repeated in it is not UTF-8.
+TEST_F(BadInput, EveryCommandRefusesAsJson) {
+  const std::string state = file("state.json", R"~({"objects": [], "facts": ["(On Mug_1 Sink)"]})~");
+  const std::vector<std::vector<std::string>> cases = {{"run", "open \xff\xfe"},
+                                                       {"run", "--seed", "-1", "open the microwave"},
+                                                       {"infer", state, "open \xff\xfe"},
+                                                       {"infer", state},
+                                                       {"infer", "/no/such", "open it"},
+                                                       {"plan", "/no/such.pddl", "/no/such.pddl"},
+                                                       {"plan", "--no-such-option"},
+                                                       {"eval", "/no/such/folder"},
+                                                       {"train", "/no/such/folder", "-o", state},
+                                                       {"bench", "no-such-benchmark"}};
+  for (std::vector<std::string> words : cases) {
+    words.push_back("--json");
+    const ProcessResult result = testing_support::run_goalnet(words, kDomain, {}, std::chrono::seconds(60));
+    EXPECT_EQ(result.exit_code, 13) << words[0] << ": " << result.err;
+    EXPECT_THAT(result.err, testing::StartsWith("goalnet " + words[0] + ": "));
+    const auto json = nlohmann::json::parse(result.out, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << words[0] << " " << words[1] << ": " << result.out;
+    EXPECT_EQ(json["outcome"], "invalid_request");
+    EXPECT_NE(json["message"], "");
+  }
+}
+
+TEST_F(BadInput, SeedThatIsNone) {
+  expect_refused(run({"--seed", "-1", "open the microwave"}), "--seed");
+  expect_refused(run({"--seed", "99999999999999999999999", "open the microwave"}), "--seed");
+}
+
 TEST_F(BadInput, UnknownScene) { expect_refused(run({"--scene", "garage", "open the microwave"}), "garage"); }
 
 TEST_F(BadInput, UnknownRobot) {

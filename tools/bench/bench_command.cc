@@ -1,6 +1,5 @@
 #include "tools/bench/bench_command.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -8,6 +7,7 @@
 
 #include "components/core/outcome.h"
 #include "tools/bench/bench_table.h"
+#include "tools/goalnet/command_line.h"
 
 namespace goalnet::tools {
 namespace {
@@ -46,19 +46,14 @@ int bench_command(int argc, char** argv) {
   app.add_flag("--quick", options.quick, "Fewer repetitions");
   app.add_option("--seed", options.seed, "For whatever is random")->capture_default_str();
   app.add_option("--data", options.data, "Folder of demonstrations [../shared/data/goalnet]");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "goalnet bench: " << error.what() << "; \"goalnet bench --help\" tells more\n";
-    return static_cast<int>(Outcome::kInvalidRequest);
-  }
+  if (const auto code = parse_or_tell(app, argc, argv)) return *code;
   const auto all = benchmarks();
   for (const std::string& name : names) {
     if (std::none_of(all.begin(), all.end(), [&name](const Benchmark& b) { return name == b.name; })) {
-      std::cerr << "goalnet bench: there is no benchmark \"" << name.substr(0, 60) << "\"\n"
-                << list_of_benchmarks();
-      return static_cast<int>(Outcome::kInvalidRequest);
+      return tell(app.get_name(),
+                  {Outcome::kInvalidRequest,
+                   "there is no benchmark \"" + name.substr(0, 60) + "\"\n" + list_of_benchmarks()},
+                  as_json);
     }
   }
   if (options.data.empty()) {
@@ -83,7 +78,7 @@ int bench_command(int argc, char** argv) {
       print_plain(results[benchmark.name], "");
     }
   }
-  if (as_json) std::cout << results.dump(2) << "\n";
+  if (as_json) print_json(results, 2);
   return code;
 }
 

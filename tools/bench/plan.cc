@@ -22,7 +22,6 @@
 #include "components/planner/world.h"
 #include "tools/bench/cpu_clock.h"
 #include "tools/bench/plan_problems.h"
-#include "tools/goalnet/command.h"
 
 namespace goalnet::tools {
 namespace {

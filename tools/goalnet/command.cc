@@ -8,6 +8,7 @@
 #include <cstring>
 #include <vector>
 
+#include "components/core/config_path.h"
 #include "components/core/outcome.h"
 
 namespace goalnet::tools {
@@ -63,27 +64,11 @@ int become(const Command& command, int argc, char** argv) {
   std::vector<char*> arguments(argv, argv + argc);
   arguments.push_back(nullptr);
   execv(path.c_str(), arguments.data());
-  if (errno == ENOENT && command.program == "goalnet-train") {
-    std::fprintf(
-        stderr,
-        "goalnet %s: this build has no training (it needs libtorch). Build with \"cmake --preset training && "
-        "cmake --build --preset training\" and use build/training/bin/goalnet.\n",
-        argv[1]);
-    return kUsageError;
-  }
   std::fprintf(stderr, "goalnet %s: cannot start %s: %s\n", argv[1], path.c_str(), std::strerror(errno));
   return static_cast<int>(Outcome::kInternal);
 }
 
 }  // namespace
-
-std::string program_folder() {
-  char path[4096];
-  const ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
-  if (length <= 0) return ".";
-  const std::string_view whole(path, static_cast<std::size_t>(length));
-  return std::string(whole.substr(0, whole.find_last_of('/')));
-}
 
 int dispatch(std::span<const Command> commands, std::string_view usage, int argc, char** argv) {
   const std::string_view name = argc > 1 ? argv[1] : "";

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace goalnet::tools {
@@ -25,8 +24,5 @@ struct Command {
 // Calls argv[1]'s command with the remaining arguments. Prints `usage` for --help (exit 0) and a message with
 // the nearest name for an unknown command (exit 13).
 int dispatch(std::span<const Command> commands, std::string_view usage, int argc, char** argv);
-
-// The folder in which this program lies.
-std::string program_folder();
 
 }  // namespace goalnet::tools

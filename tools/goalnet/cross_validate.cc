@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/goalnet/ranker/cross_validation.h"
+#include "tools/goalnet/command_line.h"
 #include "tools/goalnet/progress_line.h"
 
 namespace goalnet::tools {
@@ -20,11 +21,6 @@ constexpr std::pair<const char*, double Scores::*> kColumns[] = {{"sji", &Scores
                                                                  {"grr_formula", &Scores::grr_formula},
                                                                  {"exact", &Scores::exact},
                                                                  {"ied_canonical", &Scores::ied_canonical}};
-
-int report(const Error& error) {
-  std::fprintf(stderr, "goalnet eval: %s\n", error.message.c_str());
-  return static_cast<int>(error.outcome);
-}
 
 // Over all demonstrations, and how far the folds lie from one another.
 struct Summary {
@@ -61,7 +57,7 @@ void print(const CrossValidateRequest& request, const std::vector<FoldScores>& f
     object["calibration_error"] = calibration_error(bins);
     for (const CalibrationBin& bin : bins)
       object["calibration"].push_back({{"confidence", bin.confidence}, {"sji", bin.sji}, {"runs", bin.runs}});
-    std::printf("%s\n", object.dump().c_str());
+    print_json(object);
     return;
   }
   std::printf("%zu folds by %s (seed %llu), %zu demonstrations, grounding %s, %.0f s\n", folds.size(),
@@ -82,6 +78,7 @@ void print(const CrossValidateRequest& request, const std::vector<FoldScores>& f
 }  // namespace
 
 int cross_validate(const CrossValidateRequest& request) {
+  const auto report = [&](const Error& error) { return tell("goalnet eval", error, request.json); };
   const auto demonstrations = read_demonstrations(request.folder);
   if (!demonstrations) return report(demonstrations.error());
   const auto language = read_language_texts();

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -11,17 +10,13 @@
 
 #include "components/core/config_path.h"
 #include "components/goalnet/evaluation.h"
+#include "tools/goalnet/command_line.h"
 #include "tools/goalnet/cross_validate.h"
 
 namespace goalnet::tools {
 namespace {
 
 using namespace goalnet::inference;
-
-int report(const Error& error) {
-  std::fprintf(stderr, "goalnet eval: %s\n", error.message.c_str());
-  return static_cast<int>(error.outcome);
-}
 
 nlohmann::json to_json(const Scores& scores) {
   return {{"sji", scores.sji},
@@ -40,6 +35,10 @@ int eval_command(int argc, char** argv) {
   std::string folder, model = config_path("models/goalnet.safetensors"), grounding = "given", runs;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   bool json = false, physics = false, perturbed = false;
+  app.footer(
+      "Examples:\n"
+      "  goalnet eval demonstrations --grounding none --runs runs.jsonl\n"
+      "  goalnet eval demonstrations --cross-validate scenario --fold-seed 7 --json");
   app.add_option("DIR", folder, "folder of demonstrations (*.json)")->required();
   app.add_option("--model", model, "model file")->capture_default_str();
   app.add_option("--grounding", grounding,
@@ -63,11 +62,8 @@ int eval_command(int argc, char** argv) {
       ->check(CLI::Range(0, 1000));
   app.add_option("--fold-seed", validation.seed, "how scenarios or verbs are dealt to the folds")
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
-  }
+  if (const auto code = parse_or_tell(app, argc, argv)) return *code;
+  const auto report = [&](const Error& error) { return tell(app.get_name(), error, json); };
   if (physics)
     return report(
         {Outcome::kInvalidRequest, "--physics is not available; use goalnet run for single instructions"});
@@ -113,7 +109,7 @@ int eval_command(int argc, char** argv) {
     object["grounding"] = grounding;
     object["model"] = model;
     object["seconds"] = seconds;
-    std::printf("%s\n", object.dump().c_str());
+    print_json(object);
   } else {
     const Scores& s = evaluation->mean;
     std::printf("%zu demonstrations, grounding %s, %.1f s\n", evaluation->runs.size(), grounding.c_str(),

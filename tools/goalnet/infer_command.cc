@@ -1,6 +1,5 @@
 #include "tools/goalnet/infer_command.h"
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,17 +10,13 @@
 #include "components/core/config_path.h"
 #include "components/goalnet/goal_model.h"
 #include "components/goalnet/goal_planner.h"
+#include "tools/goalnet/command_line.h"
 
 namespace goalnet::tools {
 namespace {
 
 using namespace goalnet::inference;
 using nlohmann::json;
-
-int report(const Error& error) {
-  std::fprintf(stderr, "goalnet infer: %s\n", error.message.c_str());
-  return static_cast<int>(error.outcome);
-}
 
 Expected<WorldState> read_world(const std::string& path) {
   const auto bad = [&](const std::string& what) {
@@ -65,6 +60,14 @@ int infer_command(int argc, char** argv) {
   std::string state, instruction, model_file = config_path("models/goalnet.safetensors");
   std::size_t steps = 30;
   bool as_json = false;
+  app.footer(
+      "Examples:\n"
+      "  goalnet infer state.json \"put the mug in the sink\"\n"
+      "  goalnet run --json \"turn on the tap\" > run.json; goalnet infer run.json \"turn it off\"\n"
+      "\n"
+      "exit codes: 0 understood; 10 not understood, or nothing here is meant; 11 unknown object; 13 a slip "
+      "in "
+      "the file or an argument.");
   app.add_option("STATE.json", state,
                  "the world: {\"objects\": [...], \"facts\": [\"(On Mug_1 Sink)\", ...]}")
       ->required();
@@ -72,15 +75,11 @@ int infer_command(int argc, char** argv) {
   app.add_option("--model", model_file, "model file")->capture_default_str();
   app.add_option("--steps", steps, "at most so many steps")->check(CLI::Range(1, 30))->capture_default_str();
   app.add_flag("--json", as_json, "print one JSON object");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
-  }
+  if (const auto code = parse_or_tell(app, argc, argv)) return *code;
   const auto world = read_world(state);
-  if (!world) return report(world.error());
+  if (!world) return tell(app.get_name(), world.error(), as_json);
   auto model = load_model(model_file);
-  if (!model) return report(model.error());
+  if (!model) return tell(app.get_name(), model.error(), as_json);
 
   Symbols symbols;
   const GoalPlanner planner;
@@ -112,13 +111,11 @@ int infer_command(int argc, char** argv) {
     states.push_back({world->objects, to_fact_set(now, symbols)});
   }
   if (as_json) {
-    std::printf("%s\n", json{{"instruction", instruction},
-                             {"model", (*model)->kind()},
-                             {"outcome", to_string(problem.outcome)},
-                             {"message", problem.message},
-                             {"steps", list}}
-                            .dump()
-                            .c_str());
+    print_json({{"instruction", instruction},
+                {"model", (*model)->kind()},
+                {"outcome", to_string(problem.outcome)},
+                {"message", problem.message},
+                {"steps", list}});
   } else {
     for (std::size_t i = 0; i < list.size(); ++i) {
       std::printf("%zu.", i + 1);
@@ -131,7 +128,7 @@ int infer_command(int argc, char** argv) {
     if (problem.outcome == Outcome::kDone)
       std::printf(list.empty() ? "Nothing is left to do.\n" : "Then nothing is left to do.\n");
   }
-  if (problem.outcome != Outcome::kDone) return report(problem);
+  if (problem.outcome != Outcome::kDone) return tell(app.get_name(), problem, false);
   return 0;
 }
 

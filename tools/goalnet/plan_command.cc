@@ -1,6 +1,5 @@
 #include "tools/goalnet/plan_command.h"
 
-#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -11,9 +10,20 @@
 #include "components/planner/plan_format.h"
 #include "components/planner/planner.h"
 #include "components/planner/validator.h"
+#include "tools/goalnet/command_line.h"
 
 namespace goalnet::tools {
 namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  goalnet plan domain.pddl problem.pddl\n"
+    "  goalnet plan domain.pddl problem.pddl --satisficing --statistics\n"
+    "  goalnet plan domain.pddl problem.pddl --time-limit 60 --proof-limit 0 --json\n"
+    "\n"
+    "exit codes: 0 a plan was found; 11 an unknown object; 12 there is no plan; 13 a slip in a file or an "
+    "argument;\n"
+    "20 no plan within the limits of time and memory; 22 Ctrl-C.";
 
 struct Options {
   std::string domain, problem;
@@ -93,6 +103,7 @@ int plan_command(int argc, char** argv) {
       "Solves a PDDL problem (PDDL 2.1's ADL part, action costs, derived predicates) and prints a cheapest "
       "plan.");
   app.name("goalnet plan");
+  app.footer(kFooter);
   app.add_option("domain", options.domain, "PDDL domain file")->required();
   app.add_option("problem", options.problem, "PDDL problem file")->required();
   app.add_option("--time-limit", options.time_limit,
@@ -110,22 +121,18 @@ int plan_command(int argc, char** argv) {
   app.add_flag("--satisficing", options.satisficing, "any plan will do");
   app.add_flag("--statistics", options.statistics, "also print what the search did, as comments");
   app.add_flag("--json", options.json, "print one JSON object");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
-  }
+  if (const auto code = parse_or_tell(app, argc, argv)) return *code;
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   bool with_costs = false;
   const auto plan = make_plan(options, &with_costs);
-  const Outcome outcome = plan ? Outcome::kDone : plan.error().outcome;
+  if (!plan) return tell(app.get_name(), plan.error(), options.json);
   if (options.json) {
-    nlohmann::json json = plan ? to_json(*plan) : nlohmann::json::object();
-    json["outcome"] = std::string(to_string(outcome));
-    json["message"] = plan ? "" : plan.error().message;
-    std::printf("%s\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-  } else if (plan) {
+    nlohmann::json json = to_json(*plan);
+    json["outcome"] = to_string(Outcome::kDone);
+    json["message"] = "";
+    print_json(json, 2);
+  } else {
     std::fputs(planner::to_competition_format(*plan, with_costs).c_str(), stdout);
     if (!plan->optimal) {
       std::printf("; not known to be optimal: no plan costs less than %lld\n",
@@ -136,8 +143,7 @@ int plan_command(int argc, char** argv) {
       std::printf("; peak memory = %.1f MB\n", peak_memory_mb());
     }
   }
-  if (!plan) std::fprintf(stderr, "goalnet plan: %s\n", plan.error().message.c_str());
-  return static_cast<int>(outcome);
+  return 0;
 }
 
 }  // namespace goalnet::tools

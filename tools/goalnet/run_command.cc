@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "components/ros/arguments.h"
+#include "tools/goalnet/command_line.h"
 #include "tools/goalnet/lockstep_loop.h"
 #include "tools/goalnet/run_options.h"
 #include "tools/goalnet/run_record.h"
@@ -43,7 +44,7 @@ RunLabel label_of(const RunOptions& options) {
 
 // Something was wrong before anything moved.
 int refuse(const RunOptions& options, const Error& error) {
-  if (options.json) std::cout << to_json(label_of(options), error).dump() << "\n";
+  if (options.json) print_json(to_json(label_of(options), error));
   std::cerr << "goalnet run: " << error.message << "\n";
   return static_cast<int>(error.outcome);
 }
@@ -142,7 +143,7 @@ class Run {
   void tell(const coordinator::Report& last) {
     const double sim_time = sim_elapsed(), wall_time = since(start_);
     if (options_.json) {
-      std::cout << to_json(label_, record_, sim_time, wall_time).dump() << "\n" << std::flush;
+      print_json(to_json(label_, record_, sim_time, wall_time));
     } else {
       printer_.end(last, difference(record_.facts(), record_.facts_before()),
                    difference(record_.facts_before(), record_.facts()), sim_time, wall_time);

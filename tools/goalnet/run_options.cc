@@ -16,12 +16,16 @@ constexpr const char* kFooter =
     "  goalnet run --seed 3 --json \"open the microwave\"\n"
     "  goalnet run --goal \"(On Mug_1 Sink)\" --goal \"not (state SinkKnob TapIsOn)\"\n"
     "\n"
-    "After --ros-args, -p NAME:=VALUE sets the parameter on every component that has it, -p NODE:NAME:=VALUE on one:\n"
+    "After --ros-args, -p NAME:=VALUE sets the parameter on every component that has it, -p NODE:NAME:=VALUE "
+    "on one:\n"
     "  goalnet run \"open the microwave\" --ros-args -p planner:node_limit:=5000 -p world_model:rate:=20.0\n"
     "\"goalnet component NAME --show-parameters\" lists them.\n"
     "\n"
     "The components speak DDS on ROS_DOMAIN_ID, so \"ros2 topic echo /world_state\" shows the run.\n"
     "Ctrl-C stops the robot smoothly and ends with code 22.";
+
+// As the simulator's parameter has it. CLI11 alone takes -1 for 2^64 - 1.
+constexpr std::uint64_t kMostSeed = 1'000'000'000'000'000;
 
 // "(On Mug_1 Sink)" or "not (On Mug_1 Sink)".
 Expected<void> add_goal(std::string_view text, Goal& goal) {
@@ -57,7 +61,9 @@ ParsedRun parse_run_options(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--robot", options.robot, "Robot file (YAML beside its URDF) [config/robots/default.yaml]");
   app.add_option("--model", options.model, "Goal model file [config/models/goalnet.safetensors]");
-  app.add_option("--seed", options.seed, "Varies where things stand")->capture_default_str();
+  app.add_option("--seed", options.seed, "Varies where things stand")
+      ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
+      ->capture_default_str();
   app.add_option("--goal", goals, "Predicate to reach instead of an instruction, or \"not (…)\"; repeatable")
       ->allow_extra_args(false);
   app.add_option("--max-steps", options.max_steps, "Inference steps before giving up [30]")

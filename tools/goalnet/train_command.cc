@@ -2,9 +2,7 @@
 
 #include <cstdio>
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
+#include "tools/goalnet/command_line.h"
 #include "tools/goalnet/progress_line.h"
 #include "tools/goalnet/train_kinds.h"
 
@@ -25,6 +23,12 @@ int train_command(int argc, char** argv) {
   std::vector<std::string> settings;
   bool json = false;
   CLI::App app{"Learns a model from a folder of demonstrations.", "goalnet train"};
+  app.footer(
+      "Examples:\n"
+      "  goalnet train demonstrations -o model.safetensors\n"
+      "  goalnet run --model model.safetensors \"fill the mug with water\"\n"
+      "\n"
+      "Ctrl-C keeps a checkpoint beside the model; the same command goes on from there.");
   app.add_option("DIR", data, "folder of demonstrations (*.json)")->required();
   app.add_option("-o,--out", out, "the model file to write")->required();
   std::string kinds;
@@ -35,15 +39,8 @@ int train_command(int argc, char** argv) {
   app.add_option("--set", settings, "a setting of the training, NAME=VALUE (repeatable)");
   app.add_flag("--fresh", request.fresh, "start anew even if an interrupted training left a checkpoint");
   app.add_flag("--json", json, "print the result as one JSON object");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, std::cerr, std::cerr) == 0 ? 0 : static_cast<int>(Outcome::kInvalidRequest);
-  }
-  const auto failed = [](const Error& error) {
-    std::fprintf(stderr, "goalnet train: %s\n", error.message.c_str());
-    return static_cast<int>(error.outcome);
-  };
+  if (const auto code = parse_or_tell(app, argc, argv)) return *code;
+  const auto failed = [&](const Error& error) { return tell(app.get_name(), error, json); };
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos)
@@ -66,12 +63,7 @@ int train_command(int argc, char** argv) {
   line.finish();
   if (!trained) return failed(trained.error());
   if (json) {
-    std::printf(
-        "%s\n",
-        nlohmann::json(
-            {{"model", out}, {"kind", model}, {"seed", request.seed}, {"wall_time_s", line.seconds()}})
-            .dump()
-            .c_str());
+    print_json({{"model", out}, {"kind", model}, {"seed", request.seed}, {"wall_time_s", line.seconds()}});
   } else {
     std::fprintf(stderr, "wrote %s after %.0f s\n", out.c_str(), line.seconds());
   }

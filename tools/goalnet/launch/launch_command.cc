@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "components/core/config_path.h"
-#include "tools/goalnet/command.h"
 #include "tools/goalnet/component_registry.h"
 #include "tools/goalnet/launch/launch_file.h"
 #include "tools/goalnet/launch/launcher.h"
