@@ -18,6 +18,10 @@ class ActionModel {
 
   // The facts after `action` in `world`.
   virtual Expected<FactSet> apply(const WorldState& world, const Action& action) const = 0;
+
+  // The goal with its names spelled as in facts, where only capital letters differ: rules do not tell (state
+  // Mug_1 Spoon) from (state Mug_1 spoon), sets of facts do.
+  virtual Goal as_spelled(const Goal& goal) const { return goal; }
 };
 
 }  // namespace goalnet::coordinator

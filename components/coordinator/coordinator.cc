@@ -70,7 +70,7 @@ Expected<std::uint64_t> Coordinator::pursue(const Goal& goal, TimeNs now) {
     return tl::unexpected<Error>(checked.error());
   }
   Request request;
-  request.goal = goal;
+  request.goal = model_.as_spelled(goal);
   request.max_steps = 1;
   return accept(std::move(request), now);
 }
@@ -178,7 +178,7 @@ void Coordinator::on_goal(const GoalAnswer& answer, TimeNs now) {
     return finish(Outcome::kDone, report_.step == 0 ? "nothing needs to be done" : "nothing is left to do",
                   now);
   }
-  take_goal(answer.goal, now);
+  take_goal(model_.as_spelled(answer.goal), now);
 }
 
 void Coordinator::on_plan(const PlanAnswer& answer, TimeNs now) {

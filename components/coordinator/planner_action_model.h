@@ -12,6 +12,7 @@ class PlannerActionModel : public ActionModel {
 
   Expected<void> applicable(const WorldState& world, const Action& action) const override;
   Expected<FactSet> apply(const WorldState& world, const Action& action) const override;
+  Goal as_spelled(const Goal& goal) const override;
 
  private:
   planner::Domain domain_;

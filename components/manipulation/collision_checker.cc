@@ -144,6 +144,12 @@ void CollisionChecker::update(const WorldView& world, const std::vector<std::opt
     if (m == nullptr) continue;
     shape = object_shapes_.at(m->name);
     bodies_[static_cast<std::size_t>(body_index_.at(held_[arm]->name))].present = false;
+    // What is in it or on it comes along.
+    for (const Predicate& fact : world.facts) {
+      if ((fact.relation != "In" && fact.relation != "On") || fact.object != held_[arm]->name) continue;
+      if (const int content = body(fact.subject); content >= 0)
+        bodies_[static_cast<std::size_t>(content)].present = false;
+    }
   }
 }
 

@@ -45,7 +45,7 @@ class CollisionChecker {
                    const scene::Scene& scene);
 
   // Moves parts and objects to where they are perceived. Objects held (`held[arm]`) move with the tool
-  // instead.
+  // instead; what is in or on them is left out.
   void update(const WorldView& world, const std::vector<std::optional<HeldObject>>& held);
   // Moves one part of a fixture (and its children) as if its joint stood at `position`: opening a door in
   // thought.

@@ -41,16 +41,17 @@ void add_grid(const scene::Support& support, const Pose& frame, double radius, d
   }
 }
 
-// Whether what stands there stands under a tap: the place for whatever holds water.
-bool under_outlet(const scene::Scene& scene, const scene::Fixture& fixture, const scene::Spot& spot) {
-  const auto& fills = scene.rules.fills;
-  return std::any_of(fills.begin(), fills.end(), [&](const scene::FillRule& rule) {
-    return rule.fixture == fixture.name && rule.part.empty() &&
-           (rule.outlet - spot.frame.translation()).head<2>().norm() < 0.02;
-  });
-}
-
 }  // namespace
+
+const scene::FillRule* outlet_near(const scene::Scene& scene, const scene::Fixture& fixture,
+                                   const Eigen::Vector3d& point, double distance) {
+  const Eigen::Vector3d at = fixture.pose.inverse() * point;
+  for (const auto& rule : scene.rules.fills) {
+    if (rule.fixture == fixture.name && rule.part.empty() && (rule.outlet - at).head<2>().norm() < distance)
+      return &rule;
+  }
+  return nullptr;
+}
 
 double let_go_height(const Workbench& bench, std::size_t arm) {
   const auto& gripper = bench.model().arms[arm].gripper;
@@ -93,7 +94,7 @@ std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string
     const bool meant = std::any_of(spot.prefer_for.begin(), spot.prefer_for.end(),
                                    [&](const std::string& p) { return model->has_property(p); }) ||
                        (model->cavity && model->cavity->liquid && !model->cavity->shallow() &&
-                        under_outlet(scene, *fixture, spot));
+                        outlet_near(scene, *fixture, fixture->pose * spot.frame.translation(), 0.02));
     if (!spot.prefer_for.empty() && !meant) continue;
     // What is meant for a spot goes there, nearly whatever the way costs.
     spots.push_back({fixture->pose * spot.frame, meant ? -20.0 : -0.5, false});

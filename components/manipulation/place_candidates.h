@@ -20,6 +20,11 @@ struct PlaceCandidate {
 std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string& object,
                                              const scene::Region& region, int headings = 12);
 
+// The outlet of a fixture (a tap) under which a point lies, at most `distance` [m] beside its stream; null:
+// none.
+const scene::FillRule* outlet_near(const scene::Scene& scene, const scene::Fixture& fixture,
+                                   const Eigen::Vector3d& point, double distance);
+
 // How high above the surface the thing must be let go [m] so that the hand that holds it does not touch it: a
 // spoon is thinner than the fingers are long.
 double let_go_height(const Workbench& bench, std::size_t arm);

@@ -8,6 +8,10 @@
 
 namespace goalnet::manipulation {
 
+bool is_worktop(const scene::Region& region) {
+  return region.relation == scene::RegionRelation::kOn && region.supports.front().size_y > 1.0;
+}
+
 const scene::Region* region_around(const Workbench& bench, const Pose& object) {
   for (const auto& region : bench.scene().regions) {
     for (const auto& support : region.supports) {

@@ -1,4 +1,6 @@
 // What all actions with a held thing share: whether it is in a hand, and in the right way.
+#include <algorithm>
+
 #include "components/manipulation/grasp_candidates.h"
 #include "components/manipulation/skills.h"
 
@@ -19,19 +21,63 @@ bool alike(const Pose& a, const Pose& b) {
 Expected<Phases> HeldSkill::attempt(Workbench& bench, int number) {
   if (takes_anew_ && !bench.arm_holding(held_)) return take_->attempt(bench, number);
   takes_anew_ = false;
+  std::string occupant;
+  if (auto put = aside_.empty() ? make_room(bench, occupant) : nullptr)
+    begin_moving(std::move(occupant), std::move(put));
+  if (moving_ != Moving::kNot) {
+    auto phases = move_aside(bench, number);
+    if (phases ? moving_ != Moving::kNot : phases.error().outcome == Outcome::kCancelled) return phases;
+    moving_ = Moving::kNot;  // done, or in vain
+  }
   const auto arm = bench.arm_holding(held_);
   if (!arm) return fail(Outcome::kMotionFailed, what_ + ": " + held_ + " is not in a hand");
   auto phases = use(bench, *arm);
   const bool in_vain = !phases && phases.error().outcome == Outcome::kMotionFailed;
-  if (!in_vain || take_ || !another_grip_may_help(bench)) return phases;
-  auto grips = other_grips(bench, *arm);
+  if (!in_vain) return phases;
+  std::set<std::size_t> grips;
+  if (!take_ && another_grip_may_help(bench)) grips = other_grips(bench, *arm);
   if (bench.stopped()) return fail(Outcome::kCancelled, what_ + ": cancelled");
-  if (grips.empty()) return phases;
+  if (grips.empty()) {
+    if (!receiver_may_move(bench)) return phases;
+    begin_moving(receiver_, std::make_unique<PlaceSkill>(receiver_, PlaceSkill::Where::kNearest, ""));
+    auto aside = move_aside(bench, number);
+    if (aside || aside.error().outcome == Outcome::kCancelled) return aside;
+    return fail(phases.error().outcome, phases.error().message + "; nor elsewhere: " + aside.error().message);
+  }
   auto down = PlaceSkill(held_, PlaceSkill::Where::kNearest, "").use(bench, *arm);
   if (!down) return phases;
   take_ = std::make_unique<GraspSkill>(held_, std::move(grips));
   takes_anew_ = true;
   return down;
+}
+
+// Not twice, and not where another place would be no better.
+bool HeldSkill::receiver_may_move(const Workbench& bench) const {
+  const Pose* pose = receiver_.empty() ? nullptr : bench.world().object(receiver_);
+  if (pose == nullptr || !aside_.empty() || bench.supposes()) return false;
+  if (bench.arm_holding(receiver_)) return true;
+  const auto* region = region_around(bench, *pose);
+  const auto& held = bench.held();
+  const bool has_hand = std::any_of(held.begin(), held.end(), [](const auto& hand) { return !hand; });
+  return has_hand && region != nullptr && !is_worktop(*region);
+}
+
+void HeldSkill::begin_moving(std::string thing, std::unique_ptr<Skill> put) {
+  aside_ = std::move(thing);
+  take_aside_ = std::make_unique<GraspSkill>(aside_);
+  put_aside_ = std::move(put);
+  moving_ = Moving::kTakes;
+}
+
+Expected<Phases> HeldSkill::move_aside(Workbench& bench, int number) {
+  const bool in_hand = bench.arm_holding(aside_).has_value();
+  if (moving_ == Moving::kTakes && in_hand) moving_ = Moving::kPuts;
+  if (moving_ == Moving::kPuts && !in_hand) moving_ = Moving::kNot;
+  if (moving_ == Moving::kNot) {
+    failed_.clear();  // they failed in another place
+    return Phases{};
+  }
+  return (moving_ == Moving::kTakes ? take_aside_ : put_aside_)->attempt(bench, number);
 }
 
 // Tags, as in grasp_reaches, of ways to hold the thing with which use() finds a solution.

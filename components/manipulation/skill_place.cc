@@ -8,6 +8,8 @@
 namespace goalnet::manipulation {
 namespace {
 
+constexpr double kAsideOfTap = 0.20;  // [m] room for what comes under it, and for the hand that holds that
+
 struct PlaceWay {
   Reach reach;
   Pose object;              // where it should come to rest
@@ -19,18 +21,21 @@ std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where w
                                            std::vector<const scene::Region*>& origin) {
   std::vector<PlaceCandidate> out;
   std::vector<const scene::Region*> regions;
-  if (where == PlaceSkill::Where::kRegion) {
+  const bool aside = where == PlaceSkill::Where::kAside;
+  if (where == PlaceSkill::Where::kRegion || aside) {
     regions = regions_of(bench.scene(), region_name);
   } else {
     for (const auto& region : bench.scene().regions) {
       // Worktops only: nobody wants what is released in the sink or on a burner.
-      if (region.relation == scene::RegionRelation::kOn && region.supports.front().size_y > 1.0)
-        regions.push_back(&region);
+      if (is_worktop(region)) regions.push_back(&region);
     }
   }
   const Stand here = bench.stand_of(bench.now());
   for (const auto* region : regions) {
+    const auto* fixture = bench.scene().find_fixture(region->fixture);
     for (auto& candidate : place_candidates(bench, object, *region)) {
+      if (aside && outlet_near(bench.scene(), *fixture, candidate.object.translation(), kAsideOfTap))
+        continue;
       if (where == PlaceSkill::Where::kNearest || region->supports.front().size_y > 1.0) {
         const auto& p = candidate.object.translation();
         candidate.preference += std::hypot(p.x() - here.x, p.y() - here.y);
@@ -115,7 +120,46 @@ std::vector<PlaceWay> ways(Workbench& bench, std::size_t arm, const std::vector<
   return out;
 }
 
+// Whether the empty hand would get away from where it let go: a little way back, along its fingers.
+bool gets_away(const Workbench& bench, const Configuration& start, std::size_t arm,
+               const ArmPositions& last) {
+  constexpr double kAway = 0.06;  // [m]
+  const Pose back = backed(bench.arm(arm).forward(last), kAway);
+  const auto away = bench.arm(arm).follow(back, last, 1.5);
+  if (!away) return false;
+  PartSet parts = bench.checker().arm_parts(arm);
+  std::erase(parts, bench.checker().attachment(arm));
+  const CollisionQuery query{&parts, bench.params().contact_margin, nullptr, true};
+  return !bench.checker().collides(bench.with_arm(start, arm, *away), query);
+}
+
 }  // namespace
+
+// The water runs, and something else stands under it: that goes aside.
+std::unique_ptr<Skill> PlaceSkill::make_room(const Workbench& bench, std::string& occupant) const {
+  const auto& scene = bench.scene();
+  const auto* model = scene.find_model_of(held_);
+  if (where_ != Where::kRegion || !model->cavity || !model->cavity->liquid) return nullptr;
+  const auto& held = bench.held();
+  if (std::none_of(held.begin(), held.end(), [](const auto& hand) { return !hand; })) return nullptr;
+  for (const auto* region : regions_of(scene, region_)) {
+    const auto* fixture = scene.find_fixture(region->fixture);
+    for (const auto& object : scene.objects) {
+      const Pose* pose = bench.world().object(object.name);
+      if (pose == nullptr || bench.arm_holding(object.name) || region_around(bench, *pose) != region)
+        continue;
+      const double reach = scene.model_of(object).footprint_radius();
+      const auto* outlet = outlet_near(scene, *fixture, pose->translation(), reach);
+      const auto& facts = bench.world().facts;
+      if (outlet == nullptr || !std::all_of(outlet->when.begin(), outlet->when.end(),
+                                            [&](const Predicate& fact) { return facts.contains(fact); }))
+        continue;
+      occupant = object.name;
+      return std::make_unique<PlaceSkill>(object.name, Where::kAside, region_);
+    }
+  }
+  return nullptr;
+}
 
 Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
   std::vector<const scene::Region*> origin;
@@ -137,7 +181,13 @@ Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
   options.may_drive = where_ != Where::kTray;
   options.backwards = where_ == Where::kTray;
   Phases phases;
-  const auto found = add_way_there(phases, bench, reaches, options, what_);
+  const StandSearchOptions anyhow = options;
+  options.accept = [&](const Configuration& start, const Reach& reach, const auto& along) {
+    return gets_away(bench, start, reach.arm, along.back());
+  };
+  auto found = add_way_there(phases, bench, reaches, options, what_);
+  if (!found && found.error().outcome == Outcome::kMotionFailed)
+    found = add_way_there(phases, bench, reaches, anyhow, what_);
   if (!found) return tl::unexpected<Error>(found.error());
   failed_.insert(found->tag);
   const PlaceWay way =

@@ -36,33 +36,48 @@ class GraspSkill : public Skill {
 };
 
 // Whatever is done with what a hand holds. If it cannot be done with the grip that the hand has, but could
-// with another, the thing is put down on the nearest worktop and taken anew, once.
+// with another, the thing is put down on the nearest worktop and taken anew, once. If it cannot be done where
+// the thing is that it is done to (there is no room under the tap, or in the other hand), the other hand puts
+// that on the nearest worktop, once. What stands where the held thing has to go is put aside in the same way.
 class HeldSkill : public Skill {
  public:
   Expected<Phases> attempt(Workbench& bench, int number) final;
-  bool unfinished() const final { return takes_anew_; }
+  bool unfinished() const final { return takes_anew_ || moving_ != Moving::kNot; }
 
  protected:
-  // `what`: the action, for messages.
-  HeldSkill(std::string what, std::string held) : what_(std::move(what)), held_(std::move(held)) {}
+  // `what`: the action, for messages. `receiver`: the movable thing that it is done to; may be empty.
+  HeldSkill(std::string what, std::string held, std::string receiver = "")
+      : what_(std::move(what)), held_(std::move(held)), receiver_(std::move(receiver)) {}
   // The next way to do it with the arm that holds the thing; marks it in failed_.
   virtual Expected<Phases> use(Workbench& bench, std::size_t arm) = 0;
   virtual bool another_grip_may_help(const Workbench&) const { return true; }
+  // What has to be put aside first, and how; empty: nothing.
+  virtual std::unique_ptr<Skill> make_room(const Workbench&, std::string&) const { return nullptr; }
 
-  const std::string what_, held_;
+  const std::string what_, held_, receiver_;
   std::set<std::size_t> failed_;  // tags of ways that did not work
 
  private:
+  // Of something that is moved out of the way with the other hand.
+  enum class Moving { kNot, kTakes, kPuts };
+
   std::set<std::size_t> other_grips(Workbench& bench, std::size_t arm);
+  bool receiver_may_move(const Workbench& bench) const;
+  void begin_moving(std::string thing, std::unique_ptr<Skill> put);
+  Expected<Phases> move_aside(Workbench& bench, int number);
 
   std::unique_ptr<Skill> take_;  // with another grip, after it was put down
   bool takes_anew_ = false;
+  Moving moving_ = Moving::kNot;
+  std::string aside_;  // what is moved, or was
+  std::unique_ptr<Skill> take_aside_, put_aside_;
 };
 
 // keep-on / keep-in x place, release x (any free surface), stow x (the tray).
 class PlaceSkill : public HeldSkill {
  public:
-  enum class Where { kRegion, kNearest, kTray };
+  // kAside: in the region, but not where water runs.
+  enum class Where { kRegion, kAside, kNearest, kTray };
   PlaceSkill(std::string object, Where where, std::string region)
       : HeldSkill("put down " + object, object), where_(where), region_(std::move(region)) {}
 
@@ -70,6 +85,7 @@ class PlaceSkill : public HeldSkill {
   friend class HeldSkill;  // puts down what it takes anew
   Expected<Phases> use(Workbench& bench, std::size_t arm) override;
   bool another_grip_may_help(const Workbench&) const override { return where_ == Where::kRegion; }
+  std::unique_ptr<Skill> make_room(const Workbench& bench, std::string& occupant) const override;
 
   Where where_;
   std::string region_;
@@ -105,7 +121,7 @@ class GestureSkill : public HeldSkill {
   enum class Kind { kPour, kScoop };
   // `receiver` empty: the sink.
   GestureSkill(const Action& action, Kind kind, std::string tool, std::string receiver)
-      : HeldSkill(to_string(action), std::move(tool)), kind_(kind), receiver_(std::move(receiver)) {}
+      : HeldSkill(to_string(action), std::move(tool), std::move(receiver)), kind_(kind) {}
 
  private:
   Expected<Phases> use(Workbench& bench, std::size_t arm) override;
@@ -114,7 +130,6 @@ class GestureSkill : public HeldSkill {
                           bool reserve) const;
 
   Kind kind_;
-  std::string receiver_;
 };
 
 // keep-in a bin or bag, keep-on a plate, add what is not poured, place-utensil, insert: into or onto another
@@ -122,13 +137,11 @@ class GestureSkill : public HeldSkill {
 class PutSkill : public HeldSkill {
  public:
   PutSkill(const Action& action, std::string object, std::string receiver)
-      : HeldSkill(to_string(action), std::move(object)), receiver_(std::move(receiver)) {}
+      : HeldSkill(to_string(action), std::move(object), std::move(receiver)) {}
 
  private:
   Expected<Phases> use(Workbench& bench, std::size_t arm) override;
   Expected<std::vector<Reach>> ways(Workbench& bench, std::size_t arm, const Pose& receiver) const;
-
-  std::string receiver_;
 };
 
 // fill v source: what a hand holds is held under the running outlet of a fixture.
@@ -162,6 +175,8 @@ std::vector<Reach> press_reaches(Workbench& bench, const scene::Scene::PartRef& 
 std::vector<Reach> spot_reaches(Workbench& bench, const scene::ButtonRule& spot);
 // Standing before a fixture or region, hands in front of it: for moveto.
 std::vector<Reach> front_reaches(Workbench& bench, const std::string& place);
+// Large surfaces, on which nobody minds what is put down for a while.
+bool is_worktop(const scene::Region& region);
 // The region, if any, in whose supports an object is, by geometry.
 const scene::Region* region_around(const Workbench& bench, const Pose& object);
 

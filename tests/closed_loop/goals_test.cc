@@ -49,7 +49,11 @@ INSTANTIATE_TEST_SUITE_P(
 // Every action of the household domain in physics; what one hand holds and the other works on included.
 INSTANTIATE_TEST_SUITE_P(
     Contents, ByGoal,
-    testing::Values(Case{"tap_off_again",
+    testing::Values(Case{"glass_and_mug_with_water", {"(state Glass_1 Water)", "(state Mug_1 Water)"}, 1},
+                    Case{"kettle_carried_with_ramen_in_it",
+                         {"(On Kettle Sink)", "(state Kettle Water)", "(state Kettle Ramen)"},
+                         1},
+                    Case{"tap_off_again",
                          {"(state Mug_1 Water)", "not (state SinkKnob TapIsOn)"},
                          2,
                          "kitchen",

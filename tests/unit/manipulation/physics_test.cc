@@ -57,6 +57,20 @@ TEST(ManipulationPhysics, ATubIsLetGoOfWhereItIsNarrow) {
   EXPECT_FALSE(harness->facts().contains({"Grasping", "Robot", "IceCream_1"}));
 }
 
+// Under the tap the hand with the noodles has no room: the other hand puts the kettle elsewhere.
+TEST(ManipulationPhysics, WhatHasNoRoomAboveItIsPutElsewhere) {
+  const auto harness = kitchen(1);
+  for (const char* step : {"moveto", "grasp"}) expect_done(*harness, {step, {"Kettle"}});
+  expect_done(*harness, {"moveto", {"Sink"}});
+  expect_done(*harness, {"keep-on", {"Kettle", "Sink"}});
+  for (const char* step : {"moveto", "grasp"}) expect_done(*harness, {step, {"Ramen_1"}});
+  expect_done(*harness, {"add", {"Ramen_1", "Kettle"}});
+  harness->wait(1.0);
+  EXPECT_TRUE(harness->facts().contains({"In", "Ramen_1", "Kettle"}));
+  EXPECT_TRUE(harness->facts().contains({"On", "Kettle", "Counter_1"}));
+  EXPECT_TRUE(harness->world().held().empty());
+}
+
 TEST(ManipulationPhysics, ADoorIsPulledOpenByItsHandle) {
   const auto harness = kitchen(2);
   expect_done(*harness, {"open", {"Microwave"}});
