@@ -1,6 +1,6 @@
 // Memory that is given out piece by piece and freed all at once: what lies in it is never destroyed one by
-// one, and large blocks are huge pages where the system has them, so that freeing a hundred megabytes takes
-// less than a millisecond. That is what lets reading, compiling and searching be cancelled at any time.
+// one, and large blocks are given back by another thread (pages.h), so that freeing a hundred megabytes takes
+// no time. That is what lets reading, compiling and searching be cancelled at any time.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "components/planner/pages.h"
 
 namespace goalnet::planner {
 
@@ -28,18 +30,6 @@ struct Array : std::span<T> {
   friend bool operator<(const Array& a, const Array& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
   }
-};
-
-// Huge pages where the system has them; all sizes in bytes and multiples of kHuge, null where the system has
-// no more.
-struct Pages {
-  static constexpr std::size_t kHuge = 2u << 20;
-  static constexpr std::size_t kHeapMost = kHuge / 2;  // what is no larger is better off on the heap
-  static std::size_t whole(std::size_t bytes) { return (bytes + kHuge - 1) / kHuge * kHuge; }
-  static void* map(std::size_t bytes);
-  // To a range of `bytes`, more than before; the contents go along without being copied.
-  static void* move(void* pages, std::size_t before, std::size_t bytes);
-  static void unmap(void* pages, std::size_t bytes);
 };
 
 // Not thread-safe. Moving it moves the memory; what points into it stays valid.

@@ -39,9 +39,10 @@ void apply_action(const GroundTask& task, const Word* state, const GroundAction&
   if (!task.axioms.empty()) task.derivation.run(next);
 }
 
-void initial_state(const GroundTask& task, std::vector<Word>* state) {
+void initial_state(const GroundTask& task, Budget& budget, std::vector<Word>* state) {
   state->assign(std::max<std::size_t>(task.words(), 1), 0);
   for (std::size_t atom = 0; atom < task.initial.size(); ++atom) {
+    if (atom % 4096 == 0 && budget.check()) return;
     if (task.initial[atom] != 0) (*state)[atom >> 6] |= Word{1} << (atom & 63u);
   }
   if (!task.axioms.empty()) task.derivation.run(state->data());

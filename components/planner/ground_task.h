@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "components/planner/atom_table.h"
+#include "components/planner/budget.h"
 #include "components/planner/compiled_domain.h"
 #include "components/planner/derivation.h"
 #include "components/planner/growing.h"
@@ -124,6 +125,7 @@ inline void make_true(Word* state, Literal literal) {
 // next = the state after the action; conditions are judged on `state`. The two must not overlap.
 void apply_action(const GroundTask& task, const Word* state, const GroundAction& action, Word* next);
 
-void initial_state(const GroundTask& task, std::vector<Word>* state);
+// Stopped, it is not whole.
+void initial_state(const GroundTask& task, Budget& budget, std::vector<Word>* state);
 
 }  // namespace goalnet::planner

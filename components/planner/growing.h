@@ -1,6 +1,6 @@
 // An array in one piece for lists that may become huge. Growing it never copies for long and freeing it never
-// takes long: up to half a huge page it lies on the heap, above that in pages of its own, which are moved to
-// a larger range of addresses by their tables and not by their contents.
+// takes long: up to a megabyte it lies on the heap, above that in pages of its own (pages.h), which are moved
+// to a larger range of addresses by their tables and not by their contents.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "components/planner/arena.h"
+#include "components/planner/pages.h"
 
 namespace goalnet::planner {
 

@@ -77,7 +77,8 @@ Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions&
   plan.statistics.ground_facts = task.atoms.size();
   relaxed.build(task, budget);
   if (budget.stopped()) return stopped(budget, options);
-  initial_state(task, &initial);
+  initial_state(task, budget, &initial);
+  if (budget.stopped()) return stopped(budget, options);
   plan.statistics.grounding_seconds = seconds_since(start);
   const auto search_start = Clock::now();
 

@@ -159,7 +159,7 @@ Planner::Impl::Focus Planner::Impl::focus_on(std::int64_t bound, Plan& plan, Bud
   if (focused.goal_impossible) return Focus::kNone;
   focused_relaxed.build(focused, budget);
   if (budget.stopped()) return Focus::kAll;
-  initial_state(focused, &focused_initial);
+  initial_state(focused, budget, &focused_initial);
   focused_lm_cut.restart(focused_relaxed, budget);
   if (budget.stopped()) return Focus::kAll;
   ++plan.statistics.evaluated;

@@ -6,6 +6,7 @@ namespace goalnet::planner {
 
 void ProblemIndex::restart(const Problem& problem, Budget& budget) {
   problem_ = &problem;
+  budget_ = &budget;
   type_count_ = static_cast<std::size_t>(compiled_.domain.types.size());
   objects_.resize(compiled_.type_sets.size());
   objects_built_.assign(compiled_.type_sets.size(), 0);
@@ -28,7 +29,8 @@ void ProblemIndex::restart(const Problem& problem, Budget& budget) {
     entry.begin = entry.end = total;
     total += count;
   }
-  atoms_.resize(total);
+  atoms_.clear();
+  atoms_.resize_for_overwrite(total);
   std::int32_t atom = 0;
   initial.each_predicate([&, atoms = atoms_.data()](PredicateId predicate) {
     atoms[predicates[predicate].end++] = atom++;
@@ -41,11 +43,11 @@ std::span<const ObjectId> ProblemIndex::objects(std::int32_t type_set) {
   if (objects_built_[set] == 0) {
     objects_built_[set] = 1;
     objects_[set].clear();
-    for (ObjectId id = 0; id < problem_->object_count(); ++id) {
+    for (ObjectId id = 0; id < problem_->object_count() && !budget_->poll(); ++id) {
       if (object_fits(id, type_set)) objects_[set].push_back(id);
     }
   }
-  return objects_[set];
+  return {objects_[set].data(), objects_[set].size()};
 }
 
 std::span<const std::int32_t> ProblemIndex::facts(PredicateId predicate) {
@@ -64,15 +66,27 @@ std::span<const std::int32_t> ProblemIndex::facts(PredicateId predicate, std::si
   const AtomTable& initial = problem_->initial;
   if (!index.built) {
     index.built = true;
-    index.begin.assign(static_cast<std::size_t>(problem_->object_count()) + 2, 0);
-    for (const std::int32_t atom : all)
-      ++index.begin[static_cast<std::size_t>(initial.arguments(atom)[position]) + 2];
-    for (std::size_t i = 2; i < index.begin.size(); ++i) index.begin[i] += index.begin[i - 1];
-    index.atoms.resize(all.size());
+    const auto poll = [this] { return budget_->poll(); };
+    const auto place = [&](std::int32_t atom, std::size_t beyond) -> std::uint32_t& {
+      return index.begin[static_cast<std::size_t>(initial.arguments(atom)[position]) + beyond];
+    };
+    if (!index.begin.assign(static_cast<std::size_t>(problem_->object_count()) + 2, 0, poll)) return all;
     for (const std::int32_t atom : all) {
-      index.atoms[index.begin[static_cast<std::size_t>(initial.arguments(atom)[position]) + 1]++] = atom;
+      if (poll()) return all;
+      ++place(atom, 2);
+    }
+    for (std::size_t i = 2; i < index.begin.size(); ++i) {
+      if (poll()) return all;
+      index.begin[i] += index.begin[i - 1];
+    }
+    index.atoms.clear();
+    index.atoms.resize_for_overwrite(all.size());
+    for (const std::int32_t atom : all) {
+      if (poll()) return all;
+      index.atoms[place(atom, 1)++] = atom;
     }
   }
+  if (budget_->stopped()) return all;
   const auto id = static_cast<std::size_t>(object);
   return {index.atoms.data() + index.begin[id], index.begin[id + 1] - index.begin[id]};
 }

@@ -8,6 +8,7 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/compiled_domain.h"
+#include "components/planner/growing.h"
 #include "components/planner/problem.h"
 
 namespace goalnet::planner {
@@ -16,7 +17,7 @@ class ProblemIndex {
  public:
   explicit ProblemIndex(const CompiledDomain& compiled) : compiled_(compiled) {}
 
-  // Stopped, it must not be used.
+  // The budget is asked here and in all look-ups that build something. Stopped, the answers mean nothing.
   void restart(const Problem& problem, Budget& budget);
   const Problem& problem() const { return *problem_; }
 
@@ -39,8 +40,8 @@ class ProblemIndex {
  private:
   struct ByArgument {  // one position of one predicate
     bool built = false;
-    std::vector<std::uint32_t> begin;  // by object, one more at the end
-    std::vector<std::int32_t> atoms;
+    Growing<std::uint32_t> begin;  // by object, one more at the end
+    Growing<std::int32_t> atoms;
   };
   struct ByPredicate {
     std::uint32_t begin = 0, end = 0;
@@ -49,11 +50,12 @@ class ProblemIndex {
 
   const CompiledDomain& compiled_;
   const Problem* problem_ = nullptr;
+  Budget* budget_ = nullptr;
   std::size_t type_count_ = 0;
-  std::vector<std::vector<ObjectId>> objects_;  // by type set
+  std::vector<Growing<ObjectId>> objects_;  // by type set
   std::vector<std::uint8_t> objects_built_;
   std::vector<ByPredicate> predicates_;
-  std::vector<std::int32_t> atoms_;  // by predicate
+  Growing<std::int32_t> atoms_;  // by predicate
 };
 
 }  // namespace goalnet::planner

@@ -44,7 +44,8 @@ int check_all_states(const Grounded& grounded) {
   std::vector<std::vector<Word>> states(1);
   std::map<std::vector<Word>, std::size_t> known;
   std::vector<std::vector<std::size_t>> before(1);
-  initial_state(task, &states[0]);
+  Budget budget;
+  initial_state(task, budget, &states[0]);
   known[states[0]] = 0;
   std::vector<bool> called_dead = {grounded.dead.dead(states[0].data())};
   for (std::size_t i = 0; i < states.size() && states.size() < kMostStates; ++i) {
