@@ -28,7 +28,11 @@ std::string short_text(const Predicate& fact) {
 // Viewers centre a text on its position; it is to stand on `foot`.
 Drawing text_at(const Eigen::Vector3d& foot, double height, const std::array<float, 4>& color,
                 std::string text) {
-  if (text.size() > kLongestText) text.resize(kLongestText);
+  if (text.size() > kLongestText) {
+    std::size_t end = kLongestText;  // at the start of a character: viewers may not survive half of one
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+    text.resize(end);
+  }
   const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
   Drawing drawing;
   drawing.kind = DrawingKind::kText;

@@ -102,6 +102,10 @@ TEST_F(BadInput, SeedThatIsNone) {
   expect_refused(run({"--seed", "99999999999999999999999", "open the microwave"}), "--seed");
 }
 
+TEST_F(BadInput, PicturesThatCannotBeWritten) {
+  expect_refused(run({"--render", "/proc/pictures", "open the microwave"}), "/proc/pictures");
+}
+
 TEST_F(BadInput, UnknownScene) { expect_refused(run({"--scene", "garage", "open the microwave"}), "garage"); }
 
 TEST_F(BadInput, UnknownRobot) {

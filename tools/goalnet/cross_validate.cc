@@ -79,6 +79,8 @@ void print(const CrossValidateRequest& request, const std::vector<FoldScores>& f
 
 int cross_validate(const CrossValidateRequest& request) {
   const auto report = [&](const Error& error) { return tell("goalnet eval", error, request.json); };
+  if (!request.runs.empty())
+    if (const auto writable = write_runs({}, request.runs); !writable) return report(writable.error());
   const auto demonstrations = read_demonstrations(request.folder);
   if (!demonstrations) return report(demonstrations.error());
   const auto language = read_language_texts();

@@ -83,6 +83,10 @@ int eval_command(int argc, char** argv) {
   const auto lexicon = Lexicon::load(config_path("language/household.json"), symbols);
   if (!lexicon) return report(lexicon.error());
 
+  // Before the work, not after it.
+  if (!runs.empty())
+    if (const auto writable = write_runs({}, runs); !writable) return report(writable.error());
+
   EvaluationOptions options;
   options.grounding = grounding == "given";
   options.threads = threads;

@@ -109,6 +109,12 @@ struct LockstepLoop::Impl {
     nodes.push_back(std::move(*node));
     return nodes.back().get();
   }
+  // Whether to go on.
+  Expected<void> asked() const {
+    if (events.stop_asked && events.stop_asked())
+      return fail(Outcome::kCancelled, "interrupted before it began");
+    return {};
+  }
   Expected<void> add_recorder(const LoopOptions& options);
   Expected<void> add_components(const LoopOptions& options);
   Expected<void> add_observer(const LoopOptions& options);
@@ -141,6 +147,7 @@ Expected<void> LockstepLoop::Impl::add_components(const LoopOptions& options) {
     node_options.arguments = node_arguments(options, kind.name);
     auto node = add_node(std::move(node_options));
     if (!node) return tl::unexpected<Error>(std::move(node.error()));
+    if (auto go_on = asked(); !go_on) return go_on;
     auto component = kind.create(**node);
     if (!component) return tl::unexpected<Error>(std::move(component.error()));
     components.emplace(kind.name, std::move(*component));
@@ -211,6 +218,7 @@ Expected<std::unique_ptr<LockstepLoop>> LockstepLoop::create(const LoopOptions& 
 Expected<void> LockstepLoop::settle(double at_least, double limit) {
   const double start = sim_time();
   while (sim_time() - start < at_least || !impl_->world_seen) {
+    if (auto go_on = impl_->asked(); !go_on) return go_on;
     if (sim_time() - start > limit) {
       return fail(Outcome::kWorldStale,
                   "the world model has said nothing for " + std::to_string(limit) + " s");

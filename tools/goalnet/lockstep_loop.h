@@ -43,16 +43,19 @@ struct LoopEvents {
   std::function<void(const coordinator::Report&)> on_status;
   std::function<void(const std::string& stage, double progress)> on_stage;  // of the running action
   std::function<void(const WorldState&)> on_world;
+  // Whether the person has lost interest: create() and settle() then end with kCancelled. May be empty.
+  std::function<bool()> stop_asked;
 };
 
 class LockstepLoop {
  public:
-  // Errors: kInvalidRequest with the component's message (unknown scene, broken model file, bad parameter …).
+  // Errors: kInvalidRequest with the component's message (unknown scene, broken model file, bad parameter …);
+  // kCancelled.
   static Expected<std::unique_ptr<LockstepLoop>> create(const LoopOptions& options, LoopEvents events);
   ~LockstepLoop();
 
   // Lets things come to rest and the world be seen. kWorldStale if it is not within `limit` simulated
-  // seconds.
+  // seconds; kCancelled.
   Expected<void> settle(double at_least = 0.5, double limit = 10.0);
 
   // As anyone could through DDS; read the outcome from on_status.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -62,6 +63,7 @@ class Run {
   ~Run() { interruptible_ = nullptr; }
 
   Expected<void> prepare(const ros::Arguments& arguments) {
+    if (auto folder = make_picture_folder(); !folder) return folder;
     LoopOptions loop_options;
     loop_options.scene = options_.scene;
     loop_options.robot = options_.robot;
@@ -82,12 +84,12 @@ class Run {
     events.on_stage = [this](const std::string& stage, double progress) {
       if (!options_.json) printer_.on_stage(stage, progress, sim_elapsed(), since(start_));
     };
+    events.stop_asked = [this] { return stop_.requested(); };
     auto loop = LockstepLoop::create(loop_options, std::move(events));
     if (!loop) return tl::unexpected<Error>(std::move(loop.error()));
     loop_ = std::move(*loop);
     interruptible_ = loop_.get();
     if (auto settled = loop_->settle(); !settled) return settled;
-    if (stop_.requested()) return fail(Outcome::kCancelled, "interrupted before it began");
     return {};
   }
 
@@ -128,14 +130,24 @@ class Run {
  private:
   double sim_elapsed() const { return loop_ ? loop_->sim_time() - sim_start_ : 0.0; }
 
+  Expected<void> make_picture_folder() const {
+    if (options_.render.empty()) return {};
+    std::error_code failed;
+    std::filesystem::create_directories(options_.render, failed);
+    if (!failed && access(options_.render.c_str(), W_OK) != 0)
+      failed = std::error_code(errno, std::generic_category());
+    if (failed)
+      return fail(Outcome::kInvalidRequest,
+                  "--render: pictures cannot be written to " + options_.render + ": " + failed.message());
+    return {};
+  }
+
   // "02-keep-on-Mug_1-Sink.png"; the first is "00-start.png". Trouble with pictures does not end a run.
   void take_picture(std::string name) {
     if (options_.render.empty()) return;
     std::replace(name.begin(), name.end(), ' ', '-');
     const std::string number = (pictures_ < 10 ? "0" : "") + std::to_string(pictures_);
     ++pictures_;
-    std::error_code ignored;
-    std::filesystem::create_directories(options_.render, ignored);
     const auto written = loop_->picture(options_.render + "/" + number + "-" + name + ".png");
     if (!written) std::cerr << "goalnet run: " << written.error().message << "\n";
   }
