@@ -100,6 +100,16 @@ TEST(Drawings, FactsStandAboveTheirSubjectAndGoalsShowWhetherTheyAreReached) {
   EXPECT_THAT(what->text, HasSubstr("\n  moveto Sink\n> turn-on SinkKnob\nRobot: Grasping Kettle"));
 }
 
+TEST(Drawings, ALongTextEndsWithAWholeCharacter) {
+  Task task;
+  task.instruction =
+      std::string(1998, 'a') + "\u00e4\u00e4";  // the quote before it makes the cut hit the first
+  std::vector<Drawing> drawings;
+  draw_task(kitchen(), nominal_poses(), {}, task, drawings);
+  ASSERT_FALSE(drawings.empty());
+  EXPECT_EQ(drawings.back().text, "\"" + std::string(1998, 'a'));
+}
+
 TEST(Drawings, PathFollowsBaseAndHand) {
   const auto robot = *robot::load_robot("default");
   const robot::Kinematics kinematics(robot);
