@@ -48,8 +48,9 @@ int ablate_command(int argc, char** argv) {
   int folds_run = 5;
   bool report_only = false;
   std::vector<std::string> only;
-  CLI::App app{"Trains and scores the paper's model, its baseline, ablations and explorations.",
-               "goalnet ablate"};
+  CLI::App app{
+      "Trains and scores the paper's model, its baseline, ablations and explorations, and the shipped model.",
+      "goalnet ablate"};
   app.add_option("DIR", data, "folder of demonstrations (*.json)")->required();
   app.add_option("--folds-run", folds_run, "folds to hold out, of 5")->check(CLI::Range(1, 5));
   app.add_option("--epochs", input.epochs, "epochs of each training")->check(CLI::Range(1, 1000));

@@ -7,6 +7,7 @@
 #include "components/goalnet/baseline/she_model.h"
 #include "components/goalnet/evaluation.h"
 #include "components/goalnet/network/network_model.h"
+#include "components/goalnet/ranker/cross_validation.h"
 
 namespace goalnet::tools {
 namespace {
@@ -49,23 +50,58 @@ Expected<ModelFactory> train_baseline(const std::vector<Demonstration>& learn, c
       [parts]() -> Expected<std::unique_ptr<GoalModel>> { return baseline::make_she_model(parts); });
 }
 
+// The scores of one grounding setting, and for "given" how they depend on the number of changed facts.
+void add_scores(nlohmann::json& result, bool given, const Scores& mean, const std::vector<ModelRun>& runs,
+                const std::vector<Demonstration>& test) {
+  result[given ? "given" : "none"] = scores_json(mean);
+  if (!given) return;
+  for (std::size_t i = 0; i < test.size(); ++i) {
+    const Scores& s = runs[i].scores;
+    result["sizes"].push_back({changed_facts(test[i]), s.sji, s.f1, s.grr});
+  }
+}
+
+// Trains and tests the shipped kind of model, once for each grounding setting, as `goalnet eval` does.
+Expected<void> score_shipped(nlohmann::json& result, const Fold& fold, const std::vector<Demonstration>& test,
+                             const AblateInput& input) {
+  CrossValidationOptions options;
+  auto language = read_language_texts();
+  if (!language) return tl::unexpected(language.error());
+  options.training.language = std::move(*language);
+  options.training.ranker.training.seed = input.seed;
+  for (const bool given : {true, false}) {
+    options.grounding = given;
+    const auto scored = cross_validate(input.demonstrations, {fold}, options);
+    if (!scored) return tl::unexpected(scored.error());
+    add_scores(result, given, scored->front().mean, scored->front().runs, test);
+  }
+  return {};
+}
+
 }  // namespace
 
 Expected<nlohmann::json> ablate_one(const Variant& variant, int fold, const AblateInput& input,
                                     const std::function<void(const std::string&)>& report) {
   const ScenarioFolds folds(input.demonstrations, input.folds);
   std::vector<Demonstration> learn, test;
-  for (const Demonstration& d : input.demonstrations) {
+  Fold indices;
+  for (std::size_t i = 0; i < input.demonstrations.size(); ++i) {
+    const Demonstration& d = input.demonstrations[i];
     const bool held_out = folds.fold_of(d.scenario) == fold;
-    if (!held_out) learn.push_back(d);
-    if (held_out && !d.perturbed) test.push_back(d);
+    if (held_out && d.perturbed) continue;
+    (held_out ? test : learn).push_back(d);
+    (held_out ? indices.test : indices.train).push_back(i);
   }
   nlohmann::json result = {{"variant", variant.name}, {"fold", fold}, {"curve", nlohmann::json::array()}};
   const auto begin = std::chrono::steady_clock::now();
   ModelFactory factory;
   const std::clock_t cpu_begin = std::clock();
   double seconds = -1;
-  if (variant.change == nullptr) {
+  if (variant.kind == Variant::Kind::kShipped) {
+    report("training and testing");
+    if (auto scored = score_shipped(result, indices, test, input); !scored)
+      return tl::unexpected(scored.error());
+  } else if (variant.kind == Variant::Kind::kBaseline) {
     auto trained = train_baseline(learn, input);
     if (!trained) return tl::unexpected(trained.error());
     factory = std::move(*trained);
@@ -94,17 +130,13 @@ Expected<nlohmann::json> ablate_one(const Variant& variant, int fold, const Abla
   result["seconds"] = seconds;
   // Other programs on the machine do not count here: what comparisons of cost are made with.
   result["cpu_seconds"] = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+  if (!factory) return result;  // scored above
   for (const bool grounding : {true, false}) {
     EvaluationOptions options;
     options.grounding = grounding;
     const auto scored = evaluate(factory, test, input.things, options);
     if (!scored) return tl::unexpected(scored.error());
-    result[grounding ? "given" : "none"] = scores_json(scored->mean);
-    if (!grounding) continue;
-    for (std::size_t i = 0; i < test.size(); ++i) {
-      const Scores& s = scored->runs[i].scores;
-      result["sizes"].push_back({changed_facts(test[i]), s.sji, s.f1, s.grr});
-    }
+    add_scores(result, grounding, scored->mean, scored->runs, test);
   }
   return result;
 }

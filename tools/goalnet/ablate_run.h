@@ -24,9 +24,10 @@ struct AblateInput {
   std::uint64_t seed = 1;
 };
 
-// {"variant", "fold", "seconds" (training alone, wall clock), "cpu_seconds", "given" and "none" {"sji",
-// "ied", "f1", "grr", "exact"}, "sizes" [[changed facts, sji, f1, grr] of each demonstration, grounding
-// given], "curve" [[loss, accuracy, held-out loss, held-out accuracy] by epoch]}.
+// {"variant", "fold", "seconds" (training alone, wall clock; of the shipped model also its tests),
+// "cpu_seconds", "given" and "none" {"sji", "ied", "f1", "grr", "exact"}, "sizes" [[changed facts, sji, f1,
+// grr] of each demonstration, grounding given], "curve" [[loss, accuracy, held-out loss, held-out accuracy]
+// by epoch]}.
 Expected<nlohmann::json> ablate_one(const Variant& variant, int fold, const AblateInput& input,
                                     const std::function<void(const std::string&)>& report);
 

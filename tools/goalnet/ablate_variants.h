@@ -1,4 +1,5 @@
-// What `goalnet ablate` trains and scores: the paper's model, its baseline, ablations and explorations.
+// What `goalnet ablate` trains and scores: the paper's model, its baseline, ablations and explorations, and
+// the shipped model beside them.
 #pragma once
 
 #include <array>
@@ -16,7 +17,8 @@ using PaperScores = std::array<double, 4>;
 struct Variant {
   std::string_view name, title;
   enum class Group { kModel, kAblation, kExploration } group;
-  void (*change)(inference::training::TrainOptions&);  // null: She et al.'s baseline, which is no network
+  enum class Kind { kNetwork, kBaseline, kShipped } kind;
+  void (*change)(inference::training::TrainOptions&);  // of a network's training; else null
   std::optional<PaperScores> paper;                    // on the paper's test set, where we know its numbers
 };
 
