@@ -1,10 +1,9 @@
 #include "components/robot/robot_model.h"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "components/core/config_path.h"
+#include "components/core/read_file.h"
 
 namespace goalnet::robot {
 namespace {
@@ -40,14 +39,12 @@ std::vector<double> RobotModel::home() const {
 
 Expected<RobotModel> load_robot(const std::string& name_or_path) {
   const auto path = resolve(name_or_path);
-  std::ifstream in(path);
-  if (!in) {
-    return fail(Outcome::kInvalidRequest, "robot '" + name_or_path + "': cannot read " + path.string() +
+  const auto text = read_file(path, 1 << 20);
+  if (!text) {
+    return fail(Outcome::kInvalidRequest, "robot '" + name_or_path + "': " + text.error().message +
                                               "; give a name from config/robots or the path of a YAML file");
   }
-  std::stringstream text;
-  text << in.rdbuf();
-  return parse_robot(text.str(), path.string(), path.parent_path().string());
+  return parse_robot(*text, path.string(), path.parent_path().string());
 }
 
 }  // namespace goalnet::robot

@@ -1,13 +1,13 @@
 // Reads the robot's YAML file. Every message names the file and the line.
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <set>
 #include <sstream>
 
 #include <yaml-cpp/yaml.h>
 
+#include "components/core/read_file.h"
 #include "components/robot/joint_order.h"
 #include "components/robot/robot_model.h"
 
@@ -217,11 +217,9 @@ Expected<RobotModel> parse_robot(const std::string& yaml_text, const std::string
     if (!root.IsMap()) return bad(1, "expected a map with name, urdf, base, arms, accelerations and home");
     model.name = text(root, "name");
     const auto urdf_path = std::filesystem::path(directory) / text(root, "urdf");
-    std::ifstream in(urdf_path);
-    if (!in) return bad(line_of(root["urdf"]), "cannot read the URDF " + urdf_path.string());
-    std::stringstream xml;
-    xml << in.rdbuf();
-    model.urdf_xml = xml.str();
+    auto xml = read_file(urdf_path, 4 << 20);
+    if (!xml) return bad(line_of(root["urdf"]), "the URDF " + xml.error().message);
+    model.urdf_xml = std::move(*xml);
     auto parsed = parse_urdf(model.urdf_xml, urdf_path.string());
     if (!parsed) return tl::unexpected<Error>(parsed.error());
     model.urdf = *parsed;

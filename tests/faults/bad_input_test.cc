@@ -102,6 +102,32 @@ TEST_F(BadInput, SeedThatIsNone) {
   expect_refused(run({"--seed", "99999999999999999999999", "open the microwave"}), "--seed");
 }
 
+TEST_F(BadInput, FilesWithoutAnEnd) {
+  const std::chrono::seconds limit(20);
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"run", "--robot", "/dev/zero", "open it"},
+                                             {"run", "--scene", "/dev/zero", "open it"},
+                                             {"run", "--model", "/dev/zero", "open it"},
+                                             {"run", "open it", "--ros-args", "--params-file", "/dev/zero"},
+                                             {"infer", "/dev/zero", "open it"},
+                                             {"plan", "/dev/zero", "/dev/zero"},
+                                             {"launch", "/dev/zero"}}) {
+    const ProcessResult result = testing_support::run_goalnet(words, kDomain, {}, limit);
+    EXPECT_EQ(result.exit_code, 13) << words[1] << ": " << result.err;
+    EXPECT_THAT(result.err, HasSubstr("/dev/zero")) << words[0] << " " << words[1];
+  }
+}
+
+TEST_F(BadInput, StateThatIsNone) {
+  for (const std::string content :
+       {R"({"facts": 3})", R"({"facts": [3]})", R"({"facts": [], "objects": {}})", "[]"}) {
+    const std::string state = file("state.json", content);
+    const ProcessResult result =
+        testing_support::run_goalnet({"infer", state, "open it"}, kDomain, {}, std::chrono::seconds(20));
+    expect_refused(result, "should be");
+  }
+}
+
 TEST_F(BadInput, PicturesThatCannotBeWritten) {
   expect_refused(run({"--render", "/proc/pictures", "open the microwave"}), "/proc/pictures");
 }

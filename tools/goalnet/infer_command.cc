@@ -1,13 +1,13 @@
 #include "tools/goalnet/infer_command.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include "components/core/config_path.h"
+#include "components/core/read_file.h"
 #include "components/goalnet/goal_model.h"
 #include "components/goalnet/goal_planner.h"
 #include "tools/goalnet/command_line.h"
@@ -22,14 +22,17 @@ Expected<WorldState> read_world(const std::string& path) {
   const auto bad = [&](const std::string& what) {
     return fail(Outcome::kInvalidRequest, path + ": " + what);
   };
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) return bad("cannot be read");
+  const auto text = read_file(path, 64 << 20);
+  if (!text) return tl::unexpected<Error>(text.error());
+  const auto is_list_of_texts = [](const json& list) {
+    return list.is_array() &&
+           std::all_of(list.begin(), list.end(), [](const json& item) { return item.is_string(); });
+  };
   try {
-    const json object = json::parse(text.str());
-    if (!object.is_object() || !object.contains("facts"))
-      return bad("should be {\"objects\": [...], \"facts\": [...]}");
+    const json object = json::parse(*text);
+    if (!object.is_object() || !object.contains("facts") || !is_list_of_texts(object["facts"]) ||
+        !is_list_of_texts(object.value("objects", json::array())))
+      return bad("should be {\"objects\": [\"Mug_1\", ...], \"facts\": [\"(On Mug_1 Sink)\", ...]}");
     std::vector<Predicate> facts;
     std::set<std::string> objects;
     for (const json& item : object.at("facts")) {
