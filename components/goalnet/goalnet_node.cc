@@ -12,6 +12,13 @@ namespace goalnet::inference {
 using goalnet_msgs::msg::GoalPredicates;
 using goalnet_msgs::msg::StepRequest;
 
+namespace {
+
+constexpr std::size_t kMostSteps =
+    1000;  // the coordinator's largest max_steps; requests come from the network
+
+}  // namespace
+
 void GoalnetNode::describe(ros::ParameterSet& set, Params& params) {
   set.text("model", params.model, "model that infers goals", "a name in config/models or a file");
 }
@@ -73,8 +80,8 @@ void GoalnetNode::on_poses(const goalnet_msgs::msg::ObjectPoses& message) {
   if (message.objects().size() > messages::kMaxObjects) return;  // the world model says so
   for (const auto& object : message.objects()) {
     const auto& position = object.pose().position();
-    if (positions_.size() < messages::kMaxObjects && std::isfinite(position.x()) &&
-        std::isfinite(position.y()))
+    if (!std::isfinite(position.x()) || !std::isfinite(position.y())) continue;
+    if (positions_.size() < messages::kMaxObjects || positions_.contains(object.name()))
       positions_[object.name()] = {position.x(), position.y()};
   }
 }
@@ -99,7 +106,10 @@ std::map<std::string, double> GoalnetNode::distances() const {
 
 void GoalnetNode::on_world(const goalnet_msgs::msg::WorldState& message) {
   auto world = messages::from_message(message);
-  if (!world) return node_.log().warn("world_state: {}", world.error().message);
+  if (!world) {
+    return bad_worlds_.write(
+        [&](const std::string& more) { node_.log().warn("world_state: {}{}", world.error().message, more); });
+  }
   world_ = std::move(*world);
   world_stamp_ = messages::to_nanoseconds(message.header().stamp());
   if (waiting_ && world_is_new_enough(*waiting_)) answer(*std::exchange(waiting_, {}));
@@ -125,7 +135,7 @@ void GoalnetNode::on_request(const StepRequest& message) {
 void GoalnetNode::answer(const StepRequest& message) {
   const bool continues = message.step() > 0 && last_answer_ &&
                          last_answer_->instruction_id() == message.instruction_id() &&
-                         states_.size() == message.step();
+                         states_.size() == message.step() && states_.size() < kMostSteps;
   if (!continues) {
     states_.clear();
     goals_.clear();

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "components/goalnet/goal_model.h"
+#include "components/ros/log_limit.h"
 #include "components/ros/managed_component.h"
 #include "goalnet_msgs/msg/GoalPredicates.h"
 #include "goalnet_msgs/msg/ObjectPoses.h"
@@ -69,6 +70,7 @@ class GoalnetNode : public ros::ManagedComponent {
 
   std::map<std::string, std::array<double, 2>> positions_;  // of things in the map [m]
   std::optional<double> base_x_, base_y_;                   // of the robot in the map [m]
+  ros::LogLimit bad_worlds_;
 
   std::shared_ptr<ros::Publisher<goalnet_msgs::msg::GoalPredicates>> goal_predicates_;
   std::shared_ptr<ros::Subscription<goalnet_msgs::msg::StepRequest>> request_;

@@ -128,7 +128,7 @@ void PlannerNode::on_world(const goalnet_msgs::msg::WorldState& message) {
 void PlannerNode::on_goal(const GoalPredicates& message) {
   if (message.complete() || message.outcome() != 0) return;  // nothing is asked for
   if (world_ && !search_) return start(message);
-  if (!world_) node_.log().info("a goal waits for the first world state");
+  if (!world_ && !waiting_) node_.log().info("a goal waits for the first world state");
   wait(message);
 }
 
