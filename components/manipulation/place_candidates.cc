@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "components/scene/fit.h"
+
 namespace goalnet::manipulation {
 namespace {
 
@@ -101,7 +103,8 @@ std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string
   }
   double later = 0.0;
   for (const auto& support : region.supports) {
-    if (support.reserved || (support.clearance > 0.01 && support.clearance < model->height() + 0.03))
+    if (support.reserved ||
+        (support.clearance > 0.01 && support.clearance < model->height() + scene::kHeadroom))
       continue;
     add_grid(support, support_pose(scene, region, support), radius, later, spots);
     later += 1.0;  // the next shelf

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "components/manipulation/phases.h"
+#include "components/scene/fit.h"
 
 namespace goalnet::manipulation {
 namespace {
@@ -13,7 +14,6 @@ using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
 constexpr double kApproach = 0.10;   // [m] straight down from above
-constexpr double kPlay = 0.004;      // [m] that a round thing must have all around to go through a mouth
 constexpr double kThrough = 0.0008;  // [m] that it must have from everything on its way down
 
 Pose turned(const Vector3d& at, double heading) {
@@ -23,47 +23,16 @@ Pose turned(const Vector3d& at, double heading) {
   return pose;
 }
 
-// Largest distance of any material from the z axis [m]: what must pass through a round mouth.
-double girth(const scene::ObjectModel& model) {
-  double most = 0;
-  for (const auto& shape : model.shapes) {
-    const Vector3d half = scene::half_extents(shape);
-    const Vector3d at = shape.pose.translation();
-    const Eigen::Matrix3d turn = shape.pose.linear();
-    if (shape.kind == scene::ShapeKind::kSphere ||
-        (shape.kind == scene::ShapeKind::kCylinder && turn(2, 2) > 0.99)) {
-      most = std::max(most, at.head<2>().norm() + half.x());
-      continue;
-    }
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vector3d sign((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
-      most = std::max(most, (shape.pose * Vector3d(half.cwiseProduct(sign))).head<2>().norm());
-    }
-  }
-  return most;
-}
-
 void add_descent(std::vector<PutWay>& ways, const Pose& end, double preference, double gap,
                  double height = kApproach) {
   ways.push_back({{moved(end, {0, 0, height}), end}, gap, preference});
-}
-
-// Half the width of what goes in first when a long thing is stood into something: its end at +x.
-double tip_girth(const scene::ObjectModel& model) {
-  double most = 0;
-  const double end = scene::bounds(model.shapes).upper.x() - 0.02;
-  for (const auto& shape : model.shapes) {
-    const Vector3d half = scene::half_extents(shape);
-    if (shape.pose.translation().x() + half.x() > end) most = std::max(most, half.y());
-  }
-  return most;
 }
 
 // Upright on the floor of a plate, or on its rim if the thing is wider.
 void lay(std::vector<PutWay>& ways, const Workbench& bench, const std::string& object, const Pose& mouth,
          const scene::Cavity& cavity) {
   const auto& model = *bench.scene().find_model_of(object);
-  const double slack = std::max(0.0, 0.8 * cavity.radius - girth(model));
+  const double slack = std::max(0.0, 0.8 * cavity.radius - scene::girth(model));
   for (const double share : {0.0, 0.6}) {
     for (int direction = 0; direction < (share > 0 && slack > 0.01 ? 6 : 1); ++direction) {
       const double angle = direction * std::numbers::pi / 3;
@@ -86,7 +55,7 @@ void lay(std::vector<PutWay>& ways, const Workbench& bench, const std::string& o
 // gets. All the way down must be free.
 void drop(std::vector<PutWay>& ways, const Workbench& bench, const std::string& object, const Pose& mouth,
           const scene::Cavity& cavity) {
-  const double slack = cavity.radius - girth(*bench.scene().find_model_of(object)) - kPlay;
+  const double slack = cavity.radius - scene::girth(*bench.scene().find_model_of(object)) - scene::kPlay;
   const double yaw = std::atan2(mouth.linear()(1, 0), mouth.linear()(0, 0));
   for (const double share : {0.0, 0.6, 1.15, 1.35}) {
     for (int direction = 0; direction < (share == 0 ? 1 : 8); ++direction) {
@@ -171,17 +140,15 @@ Expected<std::vector<PutWay>> put_ways(const Workbench& bench, const std::string
   const scene::Cavity& cavity = *holder->cavity;
   const Pose mouth = pose * cavity.mouth;
   if (mouth.linear()(2, 2) < 0.9) return fail(Outcome::kMotionFailed, receiver + " does not stand upright");
-  const std::string too_narrow = object + " does not fit through the opening of " + receiver;
+  if (!scene::goes_through(*model, cavity))
+    return fail(Outcome::kNoPlan, object + " does not fit through the opening of " + receiver);
   std::vector<PutWay> ways;
   if (cavity.slot) {
     slide(ways, mouth, cavity);
   } else if (model->has_property("IsPlacable")) {
-    if (tip_girth(*model) + 0.5 * kPlay > cavity.radius) return fail(Outcome::kNoPlan, too_narrow);
     stand_in(ways, *model, mouth, cavity);
   } else if (cavity.shallow()) {
     lay(ways, bench, object, mouth, cavity);
-  } else if (girth(*model) + kPlay > cavity.radius) {
-    return fail(Outcome::kNoPlan, too_narrow);
   } else {
     drop(ways, bench, object, mouth, cavity);
   }

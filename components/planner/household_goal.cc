@@ -24,4 +24,21 @@ std::vector<Goal> normalise_household_goal(const Goal& goal) {
   return goals;
 }
 
+std::string misfit(const Goal& goal, const FactSet& facts) {
+  for (const Predicate& wanted : goal.positive) {
+    for (const Predicate& fact : facts) {
+      if (fact.relation != "Unfit") continue;
+      const bool place = (wanted.relation == "On" || wanted.relation == "In") &&
+                         wanted.subject == fact.subject && wanted.object == fact.object;
+      // A content that is there once the thing is: (state Glass_1 Ramen).
+      const bool content = wanted.relation == "state" && wanted.subject == fact.object &&
+                           fact.subject.find(wanted.object) != std::string::npos;
+      if (place || content)
+        return fact.subject + " does not fit " + (wanted.relation == "On" ? "onto " : "into ") + fact.object +
+               ": it is too large";
+    }
+  }
+  return "";
+}
+
 }  // namespace goalnet::planner

@@ -1,6 +1,7 @@
 // What a household goal really asks for, before planning.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "components/core/predicate.h"
@@ -14,5 +15,9 @@ namespace goalnet::planner {
 // derives it from the compartments. Returns at least one goal; each is to be planned from where the previous
 // one ends.
 std::vector<Goal> normalise_household_goal(const Goal& goal);
+
+// Why no plan reaches the goal, if some part of it does not fit into or onto another by its size: "X does not
+// fit into Y"; empty if nothing of the kind is known.
+std::string misfit(const Goal& goal, const FactSet& facts);
 
 }  // namespace goalnet::planner

@@ -213,7 +213,11 @@ Expected<Plan> PlannerNode::plan_for(const GoalPredicates& message, WorldState s
   whole.optimal = true;
   for (const Goal& part : normalise_household_goal(*goal)) {
     auto plan = planner_->solve(state, part, options);
-    if (!plan) return plan;
+    if (!plan) {
+      if (plan.error().outcome != Outcome::kNoPlan) return plan;
+      const std::string reason = misfit(part, state.facts);
+      return reason.empty() ? plan : fail(Outcome::kNoPlan, "there is no plan: " + reason);
+    }
     for (Action& action : plan->actions) {
       auto facts = apply(*domain_, state, action);
       if (!facts) return tl::unexpected<Error>(std::move(facts.error()));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "components/scene/fit.h"
 #include "components/world_model/geometry.h"
 
 namespace goalnet::world_model {
@@ -50,6 +51,7 @@ WorldModel::WorldModel(const scene::Scene& scene, const robot::RobotModel& robot
   std::set<std::string> names(scene.symbols.begin(), scene.symbols.end());
   for (const scene::Object& object : scene.objects) names.insert(object.name);
   world_.objects.assign(names.begin(), names.end());
+  for (auto& [thing, place] : scene::unfit_pairs(scene)) unfit_.push_back({"Unfit", thing, place});
 }
 
 std::size_t WorldModel::observe(const ObservedPoses& poses) {
@@ -182,7 +184,7 @@ void WorldModel::view_objects() {
 }
 
 void WorldModel::collect_facts() {
-  std::vector<Predicate> facts;
+  std::vector<Predicate> facts = unfit_;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const std::string& name = scene_.objects[i].name;
     for (const std::string& property : params_.static_properties)

@@ -74,6 +74,7 @@ class WorldModel {
   Grasping grasping_;
   DeviceStates devices_;
 
+  std::vector<Predicate> unfit_;  // what does not go where, whatever is done
   std::map<std::string, std::size_t> object_index_;
   std::map<std::string, std::size_t> joint_index_;
   std::vector<Tracked> tracked_;

@@ -51,6 +51,7 @@
     Channel1 Channel2 Channel3 Channel4 Channel5 Channel6 Volume ScoopsLeft HasChips CD Fork spoon - value)
 
   (:predicates
+    (Unfit ?o - thing ?where - (either thing compartment))   ; too large for it, whatever is done
     (state ?o - thing ?v - value)
     (Near ?a - (either robot thing) ?b - thing)
     (On ?a - thing ?b - thing)
@@ -133,7 +134,7 @@
 
   (:action keep-on
     :parameters (?x - thing ?surface - (either surface dish))
-    :precondition (and (InHand ?x) (Near Robot ?surface) (not (= ?x ?surface)))
+    :precondition (and (InHand ?x) (Near Robot ?surface) (not (= ?x ?surface)) (not (Unfit ?x ?surface)))
     :effect (and (increase (total-cost) 2)
       (not (Grasping Robot ?x))
       (forall (?h - holder) (not (Held ?x ?h)))
@@ -152,7 +153,7 @@
   (:action keep-in
     :parameters (?x - thing ?container - (either container compartment))
     :precondition (and
-      (InHand ?x) (not (= ?x ?container))
+      (InHand ?x) (not (= ?x ?container)) (not (Unfit ?x ?container))
       (imply (= ?container Microwave) (state Microwave DoorIsOpen))
       (imply (= ?container FridgeLeft) (and (Near Robot Fridge) (state Fridge LeftDoorIsOpen)))
       (imply (= ?container FridgeRight) (and (Near Robot Fridge) (state Fridge RightDoorIsOpen)))
@@ -323,7 +324,9 @@
     :precondition (and
       (AtHand ?x)
       (or (and (or (= ?what Salt_1) (= ?what Ramen_1) (= ?what BoiledEgg_1)) (InHand ?what))
-          (and (= ?what IceCreamScoop) (InHand Spoon_1) (state Spoon_1 ScoopsLeft))))
+          (and (= ?what IceCreamScoop) (InHand Spoon_1) (state Spoon_1 ScoopsLeft)))
+      (imply (= ?what Ramen_1) (not (Unfit Ramen_1 ?x)))
+      (imply (= ?what BoiledEgg_1) (not (Unfit BoiledEgg_1 ?x))))
     :effect (and (increase (total-cost) 2)
       (when (= ?what Salt_1) (state ?x Salt))
       (when (= ?what Ramen_1) (and (state ?x Ramen) (In Ramen_1 ?x)))
@@ -357,7 +360,7 @@
 
   (:action place-utensil
     :parameters (?u - utensil ?y - (either vessel dish))
-    :precondition (and (InHand ?u) (AtHand ?y))
+    :precondition (and (InHand ?u) (AtHand ?y) (not (Unfit ?u ?y)))
     :effect (and (increase (total-cost) 2)
       (In ?u ?y) (not (Grasping Robot ?u))
       (forall (?h - holder) (not (Held ?u ?h)))

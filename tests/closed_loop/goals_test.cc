@@ -110,5 +110,14 @@ INSTANTIATE_TEST_SUITE_P(
              {"press Tv_1Remote_1ChannelUpButton"}}),
     [](const testing::TestParamInfo<Case>& one) { return std::string(one.param.name); });
 
+// What is too large is known before anything moves.
+TEST(TooLarge, IsRefusedBeforeAnythingMoves) {
+  const RunResult result = run_json({"--scene", "living_room", "--goal", "(In Pillow_1 GarbageBin_1)"}, 84);
+  EXPECT_EQ(result.exit_code, 12);
+  EXPECT_THAT(result.json["message"].get<std::string>(),
+              testing::HasSubstr("Pillow_1 does not fit into GarbageBin_1"));
+  EXPECT_THAT(result.actions(), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace goalnet
