@@ -99,6 +99,8 @@ class Language {
   bool time_unit(const std::string& word) const;
   bool person(const std::string& word) const { return people_.contains(word); }  // "grandma", "kid"
   bool english_verb(const std::string& word) const;    // any form of any common verb: "died", "wants"
+  bool moves(const std::string& word) const { return moves_.contains(word); }  // "submerge": no verb here
+  bool describes(const std::string& word) const { return describing_.contains(word); }  // "sensible"
   bool holds_things(const std::string& phrase) const;  // "cup", "plate": "a cup of coffee"
   bool side_or_part(const std::string& phrase) const;  // "door", "side": "the door of the fridge"
   bool tv_word(const std::string& phrase) const;       // channel, volume, sound
@@ -146,7 +148,7 @@ class Language {
   std::unordered_map<std::string, std::string> inflected_;  // "taken" -> "take"
   std::unordered_map<std::string, Symbol> contents_;
   std::unordered_set<std::string> fillers_, seen_, questions_, real_words_, no_adverbs_, people_,
-      english_verbs_;
+      english_verbs_, moves_, describing_;
   std::unordered_map<std::string, StateWord> states_;
   std::unordered_map<std::string, std::vector<std::string>> wishes_;
   PhraseRules rewrites_;

@@ -1,7 +1,6 @@
 #include "components/goalnet/language/robot_language.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <initializer_list>
 #include <sstream>
@@ -10,8 +9,6 @@
 
 namespace goalnet::inference {
 namespace {
-
-constexpr int kMostSpellings = 12;  // other spellings that are tried of a sentence
 
 Expected<std::string> text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -82,62 +79,8 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   const FrameReader reader(*lexicon_, *language_, symbols_, true);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
   if (reading.understanding.complete || reading.understanding.for_later) return reading;
-  // The likeliest spelling makes no sense: perhaps another one does.
-  int tries = 0;
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    // "a glass of coke" means no glass off the coke
-    if (tokens[i] == "of" && i > 0 && language_->holds_things(singular(tokens[i - 1]))) continue;
-    for (const std::string& other : language_->corrections(tokens[i])) {
-      if (other == language_->correct(tokens[i])) continue;
-      if (++tries > kMostSpellings) return reading;
-      std::vector<std::string> spelled = tokens;
-      spelled[i] = other;
-      Words words = normal_words(spelled, *language_);
-      Understanding understanding = reader.read(words, reading.instruction, start, distances);
-      if (!understanding.complete) continue;
-      ++words.corrected;
-      reading.words = std::move(words), reading.understanding = std::move(understanding);
-      return reading;
-    }
-  }
-  // Perhaps it makes sense without a part that names nothing here ("see the problem?", "left one").
-  std::vector<std::string> kept;
-  for (std::size_t begin = 0; begin < tokens.size();) {
-    std::size_t end = begin;
-    while (end < tokens.size() && tokens[end] != "." && tokens[end] != ",") ++end;
-    if (!names_nothing(tokens, begin, end))
-      kept.insert(kept.end(), tokens.begin() + static_cast<long>(begin),
-                  tokens.begin() + static_cast<long>(std::min(end + 1, tokens.size())));
-    begin = end + 1;
-  }
-  if (kept.size() == tokens.size() || kept.empty()) return reading;
-  Words words = normal_words(kept, *language_);
-  Understanding understanding = reader.read(words, reading.instruction, start, distances);
-  if (!understanding.complete) return reading;
-  ++understanding.passed_over;
-  reading.words = std::move(words), reading.understanding = std::move(understanding);
+  other_readings(tokens, reader, start, distances, reading);
   return reading;
-}
-
-// Whether nothing of this place, nothing to do and no "not" or "if" is spoken of.
-bool RobotLanguage::names_nothing(const std::vector<std::string>& tokens, std::size_t begin,
-                                  std::size_t end) const {
-  static constexpr std::array<std::string_view, 44> kTurns = {
-      "not",    "no",       "never",    "dont",   "without", "except", "instead", "or",       "if",
-      "unless", "before",   "after",    "until",  "till",    "then",   "hour",    "hours",    "minutes",
-      "minute", "mins",     "tomorrow", "oclock", "pm",      "am",     "noon",    "midnight", "later",
-      "when",   "whenever", "every",    "week",   "day",     "monday", "weekend", "tonight",  "it",
-      "them",   "that",     "those",    "both",   "one",     "all",    "rest",    "other"};
-  for (std::size_t i = begin; i < end; ++i) {
-    const std::string& word = tokens[i];
-    const std::string stem = singular(word);
-    if (language_->meaningful(word) || language_->meaningful(stem) || lexicon_->is_word_of_name(stem) ||
-        language_->may_be_a_slip(word) || std::find(kTurns.begin(), kTurns.end(), word) != kTurns.end() ||
-        language_->wanted_by_state(word) != Frame::kNone || language_->wish(word) != nullptr ||
-        word.size() > 20)
-      return false;
-  }
-  return end > begin;
 }
 
 }  // namespace goalnet::inference
