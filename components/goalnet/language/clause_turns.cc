@@ -100,8 +100,19 @@ std::size_t ClauseParser::forbidden(std::size_t at, std::size_t end) {
   if (verb < end && words_[verb] == "wish") {  // "I do not want this coffee any more"
     const std::size_t done = command(verb, end, Mood::kForbidden);
     if (result_.clauses.back().mood == Mood::kForbidden) {
-      result_.clauses.back().mood = Mood::kStatement;
-      result_.clauses.back().negative = true;
+      Clause& unwanted = result_.clauses.back();
+      unwanted.mood = Mood::kStatement;
+      unwanted.negative = true;
+      // "I do not want the coke on the stove"
+      if (NounPhrase* thing = unwanted.phrases.size() == 1 ? &unwanted.phrases.front() : nullptr;
+          language_.hears_people() && thing != nullptr && thing->at.size() == 1 && unwanted.unknown.empty()) {
+        NounPhrase place = thing->at.front();
+        place.role = Role::kSource;
+        thing->at.clear();
+        unwanted.negative = false, unwanted.wish = true, unwanted.frame = Frame::kTake,
+        unwanted.verb = "take";
+        unwanted.phrases.push_back(std::move(place));
+      }
     }
     return done;
   }

@@ -134,7 +134,11 @@ std::string FrameActions::put(const Clause& said) {
       for (NounPhrase& phrase : clause.phrases)  // "the bag goes in the bin"
         if (phrase.role == Role::kDirect) phrase.phrase = "garbage bag";
   }
-  if (language_.tv_word(destination->phrase)) return television(clause);  // "put the tv on channel 2"
+  if (language_.tv_word(destination->phrase)) {
+    const bool stays =
+        at_home_ && (clause.verb == "leave" || clause.verb == "keep") && destination->number == 0;
+    return stays ? Problem{} : television(clause);  // "leave it on this channel", "put the tv on channel 2"
+  }
   if (language_.content(destination->phrase) == kIceCream && !thing->pronoun &&
       !resolver_.named(*thing).empty() && resolver_.named(*thing).front() == kSpoon_1)
     return scoop_into(kNone, 1);

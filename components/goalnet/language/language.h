@@ -98,7 +98,7 @@ class Language {
   bool asks(const std::string& word) const { return questions_.contains(word); }
   bool time_unit(const std::string& word) const;
   bool person(const std::string& word) const { return people_.contains(word); }  // "grandma", "kid"
-  bool english_verb(const std::string& word) const;    // any form of any common verb: "died", "wants"
+  bool english_verb(const std::string& word) const;  // any form of any common verb: "died", "wants"
   bool moves(const std::string& word) const { return moves_.contains(word); }  // "submerge": no verb here
   bool describes(const std::string& word) const { return describing_.contains(word); }  // "sensible"
   bool holds_things(const std::string& phrase) const;  // "cup", "plate": "a cup of coffee"

@@ -227,7 +227,8 @@ Expected<void> Language::add_other_words(std::string_view text, const std::strin
     for (const auto& word : file.at("real_words")) real_words_.insert(word.get<std::string>());
     const json verbs = file.value("verbs", json::array());  // older models lack it
     for (const auto& word : verbs) english_verbs_.insert(word.get<std::string>());
-    const json moves = file.value("moves", json::array()), describing = file.value("describing", json::array());
+    const json moves = file.value("moves", json::array()),
+               describing = file.value("describing", json::array());
     for (const auto& word : moves) moves_.insert(word.get<std::string>());
     for (const auto& word : describing) describing_.insert(word.get<std::string>());
     for (const auto& [word, other] : file.at("synonyms").items())

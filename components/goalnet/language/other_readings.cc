@@ -69,8 +69,8 @@ std::vector<std::string> RobotLanguage::with_known_verbs(const std::vector<std::
   static constexpr std::array kFrom = {"from"sv, "off"sv};
   std::vector<std::string> plain = tokens;
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    const bool first = i == 0 || ends_part(tokens, i - 1) || tokens[i - 1] == "and" || tokens[i - 1] == "then" ||
-                       tokens[i - 1] == "please";
+    const bool first = i == 0 || ends_part(tokens, i - 1) || tokens[i - 1] == "and" ||
+                       tokens[i - 1] == "then" || tokens[i - 1] == "please";
     if (!first || language_->known(tokens[i]) || !language_->moves(tokens[i])) continue;
     bool to = false, from = false;
     for (std::size_t k = i + 1; !ends_part(tokens, k); ++k) {
@@ -87,7 +87,8 @@ std::vector<std::string> RobotLanguage::without_describing(const std::vector<std
   std::vector<std::string> plain;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const bool of_verb = i == 0 || ends_part(tokens, i - 1) || language_->english_verb(tokens[i - 1]);
-    if (of_verb || language_->known(tokens[i]) || !language_->describes(tokens[i])) plain.push_back(tokens[i]);
+    if (of_verb || language_->known(tokens[i]) || !language_->describes(tokens[i]))
+      plain.push_back(tokens[i]);
   }
   return plain;
 }

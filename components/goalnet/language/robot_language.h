@@ -28,8 +28,8 @@ class RobotLanguage {
 
  private:
   // other_readings.cc: `reading` becomes one that makes sense where there is one.
-  void other_readings(const std::vector<std::string>& tokens, const FrameReader& reader, const SymState& start,
-                      const Distances* distances, Reading& reading);
+  void other_readings(const std::vector<std::string>& tokens, const FrameReader& reader,
+                      const SymState& start, const Distances* distances, Reading& reading);
   std::vector<std::string> with_known_verbs(const std::vector<std::string>& tokens) const;
   std::vector<std::string> without_describing(const std::vector<std::string>& tokens) const;
   bool names_nothing(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end) const;

@@ -225,8 +225,9 @@ void not_but(std::vector<std::string>& words) {
   for (std::size_t begin = 0; begin < words.size(); ++begin) {
     if (begin > 0 && words[begin - 1] != ".") continue;
     std::size_t i = begin;
-    while (i < words.size() && (words[i] == "no" || words[i] == "," || words[i] == "wait"))
-      ++i;  // "no, not the coke, ..."
+    static constexpr std::array kBefore = {"no"sv, ","sv,  "wait"sv, "nah"sv,     "nope"sv,
+                                           "oh"sv, "er"sv, "um"sv,   "actually"sv};
+    while (i < words.size() && one_of(words[i], kBefore)) ++i;  // "no, not the coke, ..."
     if (i + 4 >= words.size() || words[i] != "not" || !one_of(words[i + 1], word_group::kArticles)) continue;
     std::size_t end = i + 1;
     while (end < words.size() && !ends_part(words, end) && words[end] != "but") ++end;

@@ -178,6 +178,21 @@ void speak_for_others(std::vector<std::string>& text, const Language& language) 
       text.erase(text.begin() + static_cast<long>(next) + 1, text.begin() + static_cast<long>(next) + 3);
       text[next] = "wants";
     }
+    // "mum says to put the plates in the sink", "dad wants you to open it"
+    static constexpr std::array kSays = {"said"sv,  "says"sv,  "told"sv,  "asks"sv,
+                                         "asked"sv, "wants"sv, "wanted"sv};
+    if (language.hears_people() && next + 2 < text.size() && one_of(text[next], kSays)) {
+      std::size_t verb = next + 1;
+      if (text[verb] == "you" || text[verb] == "me" || text[verb] == "us") ++verb;
+      const bool says = text[next] == "said" || text[next] == "says";
+      if (verb + 1 < text.size() && text[verb] == "to" && language.verb(text[verb + 1]) != Frame::kNone &&
+          (says || text[verb - 1] == "you")) {
+        const bool whose = i > 0 && one_of(text[i - 1], kWhose);
+        text.erase(text.begin() + static_cast<long>(i - whose), text.begin() + static_cast<long>(verb) + 1);
+        text.insert(text.begin() + static_cast<long>(i - whose), "please");
+        continue;
+      }
+    }
     std::size_t feels = next;  // "the kid is thirsty"
     while (feels < text.size() && (text[feels] == "is" || text[feels] == "are")) ++feels;
     const bool wishes = feels < text.size() && language.wish(text[feels]) != nullptr;

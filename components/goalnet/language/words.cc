@@ -63,8 +63,12 @@ void move_blanks(std::vector<std::string>& tokens, const Language& language, int
   }
 }
 
-// "mmm", "ssh", "brr": one or two letters, none of them a vowel.
-bool is_sound(const std::string& word) {
+// "mmm", "ssh", "brr": one or two letters, none of them a vowel; of people also "ehm", "uhh".
+bool is_sound(const std::string& word, bool hears_people) {
+  constexpr std::size_t kLongest = 5;
+  if (hears_people && word.size() > 1 && word.size() <= kLongest &&
+      word.find_first_not_of("aehmru") == std::string::npos)
+    return true;
   std::string letters = word;
   std::sort(letters.begin(), letters.end());
   letters.erase(std::unique(letters.begin(), letters.end()), letters.end());
@@ -89,7 +93,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   for (const std::string& token : mended) {
     if (language.known(token)) {
       text.push_back(token);
-    } else if (is_sound(token)) {
+    } else if (is_sound(token, language.hears_people())) {
       continue;
     } else if (const std::string& other = language.synonym(token); other != token) {
       text.push_back(other);
