@@ -123,6 +123,18 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
       add(std::move(clause));
       return after;
     }
+  // "on the table please, the coffee table"
+  if (NounPhrase* there = nullptr; language_.hears_people() && at > 0 && words_[at - 1] == "," &&
+                                   !result_.clauses.empty() &&
+                                   result_.clauses.back().mood == Mood::kCommand && ends_here(i, end)) {
+    for (NounPhrase& phrase : result_.clauses.back().phrases)
+      if (phrase.role == Role::kDestination) there = &phrase;
+    if (there != nullptr && subject.phrase != there->phrase &&
+        subject.phrase.ends_with(" " + there->phrase)) {
+      there->phrase = subject.phrase;
+      return i;
+    }
+  }
   if (subject.unknown) {
     result_.stray.push_back(subject.word);
     return std::max(i, at + 1);

@@ -17,7 +17,8 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
   while (i < end && !language_.joins(words_[i]) && words_[i] != "so") {
     const std::string& word = words_[i];
     // "should be off when I get back", "should be in the sink if it is dirty"
-    if (language_.hears_people() && i > at && (word == "when" || word == "if" || word == "unless")) return i;
+    static constexpr std::array kHangsOn = {"when"sv, "if"sv, "unless"sv, "as"sv, "because"sv};
+    if (language_.hears_people() && i > at && one_of(word, kHangsOn)) return i;
     NounPhrase place;
     if (language_.hears_people() && word == "not" &&
         clause.mood == Mood::kCommand) {  // "..., not on the stove"
@@ -59,6 +60,7 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
       Role role = Role::kDirect;
       Where where = Where::kTo;
       for (++i; i < end && !language_.joins(words_[i]);) {
+        if (language_.hears_people() && one_of(words_[i], kHangsOn)) break;
         clause.words.push_back(words_[i]);
         const std::size_t next = argument(i, end, clause, role, where);
         if (next == i) break;

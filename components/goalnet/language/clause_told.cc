@@ -119,7 +119,15 @@ std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
   if (!language_.hears_people() || at + 1 >= end) return at;
   const std::string& word = words_[at];
   const bool gerund = word.ends_with("ing") && language_.english_verb(word) && reader_.name_length(at) == 0;
-  if (!(word == "no" ? one_of(words_[at + 1], kLacks) : gerund && one_of(words_[at + 1], kIs))) return at;
+  if (const std::size_t stop = part_end(at, end); word == "for" && stop < end && words_[stop] == "wish") {
+    for (std::size_t i = at; i < stop; ++i)
+      if (reader_.name_length(i) > 0) return at;
+    return stop;  // "for dessert I want ..."
+  }
+  const bool enough =
+      word == "enough" && part_end(at, end) < end;  // "enough chips for today, away with them"
+  if (!enough && !(word == "no" ? one_of(words_[at + 1], kLacks) : gerund && one_of(words_[at + 1], kIs)))
+    return at;
   add_told(at, part_end(at, end));
   return part_end(at, end);
 }

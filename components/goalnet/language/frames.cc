@@ -12,7 +12,16 @@ bool make_wish(Clause& clause, const Language& language) {
   if (clause.mood == Mood::kQuestion || clause.negative) return false;
   if (clause.wish && clause.frame != Frame::kNone) return true;
   Frame frame = clause.state.empty() ? Frame::kNone : language.complaint(clause.state);
-  if (clause.asked && clause.state == "empty" && language.hears_people()) frame = Frame::kFill;
+  if (clause.asked && language.hears_people() && !clause.phrases.empty()) {
+    // "the tv is off, would you mind?", "my glass is empty, see to it": the opposite
+    if (frame == Frame::kNone) frame = language.wanted_by_state(language.opposite_state(clause.state));
+    // "the remote is on the shelf, could you?"
+    if (const NounPhrase& thing = clause.phrases.front();
+        clause.state.empty() && clause.frame == Frame::kNone && thing.at.size() == 1 && !thing.pronoun) {
+      clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = true;
+      return true;
+    }
+  }
   if (frame == Frame::kNone || clause.phrases.empty()) return false;
   clause.frame = frame;
   clause.verb = clause.state;
