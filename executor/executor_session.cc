@@ -130,7 +130,8 @@ void ExecutorSession::on_command(const std_msgs::msg::String& message) {
 }
 
 void ExecutorSession::on_joint_states(const sensor_msgs::msg::JointState& message) {
-  if (const auto read = reader_.read(message); !read) {
+  static const TimeSource time = steady_time_source();
+  if (const auto read = reader_.read(message, time.now_ns()); !read) {
     joint_state_lines_.write(
         [&](const std::string& more) { node_.log().warn("{}{}", read.error().message, more); });
     return;

@@ -1,5 +1,6 @@
 #include "executor/joint_messages.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "components/messages/conversions.h"
@@ -19,11 +20,11 @@ JointTrajectory from_message(const trajectory_msgs::msg::JointTrajectory& messag
   return trajectory;
 }
 
-JointStateReader::JointStateReader(const std::vector<JointLimits>& joints) : known_(joints.size(), false) {
+JointStateReader::JointStateReader(const std::vector<JointLimits>& joints) : heard_(joints.size(), 0) {
   for (std::size_t i = 0; i < joints.size(); ++i) indices_[joints[i].name] = i;
 }
 
-Expected<void> JointStateReader::read(const sensor_msgs::msg::JointState& message) {
+Expected<void> JointStateReader::read(const sensor_msgs::msg::JointState& message, std::int64_t time_ns) {
   const auto& names = message.name();
   const auto& positions = message.position();
   const auto& velocities = message.velocity();
@@ -45,9 +46,10 @@ Expected<void> JointStateReader::read(const sensor_msgs::msg::JointState& messag
   }
   sample_ = sample;
   for (const std::size_t joint : updated) {
-    seen_ += known_[joint] ? 0 : 1;
-    known_[joint] = true;
+    seen_ += heard_[joint] == 0 ? 1 : 0;
+    heard_[joint] = time_ns;
   }
+  sample_.time_ns = heard_.empty() ? time_ns : *std::min_element(heard_.begin(), heard_.end());
   return {};
 }
 

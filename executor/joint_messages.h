@@ -23,14 +23,17 @@ JointTrajectory from_message(const trajectory_msgs::msg::JointTrajectory& messag
 class JointStateReader {
  public:
   explicit JointStateReader(const std::vector<JointLimits>& joints);
-  // Fails with kInvalidRequest, changing nothing, if sizes differ or a number is not finite.
-  Expected<void> read(const sensor_msgs::msg::JointState& message);
+  // `time_ns` is the moment of arrival. Fails with kInvalidRequest, changing nothing, if sizes differ or a
+  // number is not finite.
+  Expected<void> read(const sensor_msgs::msg::JointState& message, std::int64_t time_ns);
   bool complete() const { return seen_ == indices_.size(); }  // every joint has been seen
+  // As old as the joint that was heard of longest ago: a driver that has died is noticed although others, of
+  // doors or of other joints, still talk.
   const JointSample& sample() const { return sample_; }
 
  private:
   std::map<std::string, std::size_t> indices_;
-  std::vector<bool> known_;
+  std::vector<std::int64_t> heard_;  // [ns] when, of each joint; 0: never
   std::size_t seen_ = 0;
   JointSample sample_;
 };

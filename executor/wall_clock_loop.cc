@@ -29,11 +29,7 @@ void WallClockLoop::stop() {
   neighbour_.stop();
 }
 
-void WallClockLoop::set_measured(JointSample measured) {
-  static const TimeSource time = steady_time_source();
-  measured.time_ns = time.now_ns();
-  measured_.write(measured);
-}
+void WallClockLoop::set_measured(const JointSample& measured) { measured_.write(measured); }
 
 bool WallClockLoop::cycle(std::int64_t time_ns) {
   measured_once_ = measured_.read(latest_) || measured_once_;

@@ -29,9 +29,9 @@ class WallClockLoop {
   std::optional<std::string> start();
   void stop();
 
-  // One thread. The moment of arrival counts as the moment of measurement: the clocks of sender and receiver
-  // need not agree.
-  void set_measured(JointSample measured);
+  // One thread. `time_ns` is on the clock of steady_time_source(): the moment of arrival counts as that of
+  // measurement, so that the clocks of sender and receiver need not agree.
+  void set_measured(const JointSample& measured);
 
   CyclicStatistics statistics() const { return real_time_.statistics(); }
 

@@ -259,7 +259,12 @@ TEST_F(ExecutorNodeTest, RunsOnTheWallClock) {
   EXPECT_EQ(seen_.back().outcome(), 0) << seen_.back().message();
   EXPECT_NEAR(commanded_.position()[static_cast<std::size_t>(robot.index_of("lift"))], 0.25, 1e-6);
 
-  driver->cancel();  // the driver dies: the watchdog notices
+  // The driver dies; whoever tells of doors and of the base goes on. The watchdog notices.
+  driver->cancel();
+  sensor_msgs::msg::JointState others;
+  others.name({"FridgeLeftDoor_joint", "base_x"});
+  others.position({0.0, commanded_.position()[static_cast<std::size_t>(robot.index_of("base_x"))]});
+  const auto doors = client_->create_timer(5ms, [&] { joint_states_->publish(others); });
   ASSERT_TRUE(loop_.run_for(5s, [&] { return seen_.back().state() == FAULT; }));
   EXPECT_EQ(seen_.back().outcome(), 31);
 }
