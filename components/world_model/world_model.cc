@@ -77,7 +77,9 @@ std::size_t WorldModel::observe(const ObservedPoses& poses) {
 
 std::size_t WorldModel::observe(const ObservedJoints& joints) {
   if (joints.names.size() != joints.positions.size()) return joints.names.size();
-  if (joints_time_ns_ && joints.time_ns < *joints_time_ns_) return joints.names.size();
+  // Doors may be told of by somebody whose clock or pace differs: only the robot's joints have an order here.
+  const bool late = joints_time_ns_ && joints.time_ns < *joints_time_ns_;
+  bool moved = false;
   JointMoment moment{joints.time_ns,
                      joint_history_.empty() ? robot_.home() : joint_history_.back().positions};
   std::size_t ignored = 0;
@@ -87,11 +89,16 @@ std::size_t WorldModel::observe(const ObservedJoints& joints) {
       continue;
     }
     const auto found = joint_index_.find(joints.names[i]);
-    if (found != joint_index_.end())
-      moment.positions[found->second] = joints.positions[i];
-    else
+    if (found == joint_index_.end()) {
       devices_.set_joint(joints.names[i], joints.positions[i]);
+    } else if (late) {
+      ++ignored;
+    } else {
+      moment.positions[found->second] = joints.positions[i];
+      moved = true;
+    }
   }
+  if (!moved) return ignored;
   joint_history_.push_back(std::move(moment));
   if (joint_history_.size() > kJointHistory) joint_history_.pop_front();
   joints_time_ns_ = joints.time_ns;

@@ -34,7 +34,8 @@ class WorldModel {
   WorldModel(const scene::Scene& scene, const robot::RobotModel& robot, Params params = {});
 
   // Observations. What makes no sense (numbers that are not finite, unknown names, sizes that differ) is left
-  // out; the return value counts it. Older observations than the last are ignored.
+  // out; the return value counts it. So are poses and robot joints older than the last. Joints of doors and
+  // switches alone say nothing about where the robot is: complete() and time_ns() are about its own.
   std::size_t observe(const ObservedPoses& poses);
   std::size_t observe(const ObservedJoints& joints);
   std::size_t observe(const std::vector<ObservedState>& states);
@@ -47,6 +48,8 @@ class WorldModel {
   // [ns] the moment that the facts describe: the older of the two observations.
   std::int64_t time_ns() const;
   const WorldState& world() const { return world_; }
+  // [ns] of the last message about the robot's own joints; 0: none yet.
+  std::int64_t joints_time_ns() const { return joints_time_ns_.value_or(0); }
 
  private:
   struct Tracked {

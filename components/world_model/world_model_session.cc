@@ -1,5 +1,6 @@
 #include "components/world_model/world_model_session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -69,11 +70,13 @@ void WorldModelSession::on_poses(const goalnet_msgs::msg::ObjectPoses& message) 
 
 void WorldModelSession::on_joints(const sensor_msgs::msg::JointState& message) {
   const std::int64_t time_ns = messages::to_nanoseconds(message.header().stamp());
-  start_over_if_time_jumped_back(joints_ns_, time_ns);
-  joints_ns_ = time_ns;
+  const bool of_the_robot = std::any_of(message.name().begin(), message.name().end(),
+                                        [&](const auto& name) { return robot_.index_of(name) >= 0; });
+  if (of_the_robot) start_over_if_time_jumped_back(joints_ns_, time_ns);
   ++observations_;
   report_ignored("joint_states",
-                 model_->observe(ObservedJoints{joints_ns_, message.name(), message.position()}));
+                 model_->observe(ObservedJoints{time_ns, message.name(), message.position()}));
+  joints_ns_ = model_->joints_time_ns();
 }
 
 void WorldModelSession::on_states(const goalnet_msgs::msg::ObjectStates& message) {

@@ -325,6 +325,20 @@ TEST(WorldModel, DevicesFollowTheirJoints) {
   EXPECT_FALSE(world.holds("state SinkKnob TapIsOn"));
 }
 
+// Perception may tell of doors on the same topic as the robot's driver of its joints, late and alone.
+TEST(WorldModel, DoorsAloneSayNothingAboutTheRobot) {
+  TestWorld world;
+  world.look();
+  const std::int64_t seen = world.model.joints_time_ns();
+  const ObservedJoints late{seen - 3'000'000'000, {"FridgeLeftDoor_joint"}, {1.5}};
+  EXPECT_EQ(world.model.observe(late), 0u);
+  EXPECT_TRUE(world.model.update().facts.contains({"state", "Fridge", "LeftDoorIsOpen"}));
+  const ObservedJoints early{seen + 3'000'000'000, {"FridgeLeftDoor_joint"}, {0.0}};
+  EXPECT_EQ(world.model.observe(early), 0u);
+  EXPECT_FALSE(world.model.update().facts.contains({"state", "Fridge", "LeftDoorIsOpen"}));
+  EXPECT_EQ(world.model.joints_time_ns(), seen);
+}
+
 TEST(WorldModel, TakesContentsAndSwitchesAsPerceived) {
   TestWorld world;
   world.model.observe(std::vector<ObservedState>{
