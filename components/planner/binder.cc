@@ -64,7 +64,10 @@ bool Binder::refused(const Condition& condition) const {
     if (any_open(literal.atom)) continue;
     if (index_->holds_initially(literal.atom, data()) == literal.negative) return true;
   }
-  return false;
+  if (reachable_ == nullptr) return false;
+  return std::any_of(condition.fluent.begin(), condition.fluent.end(), [this](const LiteralPattern& literal) {
+    return !literal.negative && !is_reachable(literal.atom);
+  });
 }
 
 std::int32_t Binder::first_open(const CompiledSchema& schema, const CompiledEffect* effect,
@@ -87,8 +90,7 @@ const EqualityPattern* Binder::decisive_equality(const Condition& condition) con
   return nullptr;
 }
 
-void Binder::choose_join(const Condition& condition, const LiteralPattern** best,
-                         std::span<const std::int32_t>* candidates) {
+void Binder::choose_join(const Condition& condition, Join* best) const {
   for (const LiteralPattern& literal : condition.fixed) {
     if (literal.negative || !any_open(literal.atom)) continue;
     const auto& arguments = literal.atom.arguments;
@@ -98,11 +100,32 @@ void Binder::choose_join(const Condition& condition, const LiteralPattern** best
       const auto fewer = index_->facts(literal.atom.predicate, i, arguments[i].resolve(data()));
       if (fewer.size() < facts.size()) facts = fewer;
     }
-    if (*best == nullptr || facts.size() < candidates->size()) {
-      *best = &literal;
-      *candidates = facts;
-    }
+    if (best->atom == nullptr || facts.size() < best->size)
+      *best = {&literal.atom, facts.size(), false, facts, {}};
   }
+  if (reachable_ != nullptr) choose_reachable(condition, best);
+}
+
+void Binder::choose_reachable(const Condition& condition, Join* best) const {
+  for (const LiteralPattern& literal : condition.fluent) {
+    const AtomPattern& atom = literal.atom;
+    if (literal.negative || !reachable_->covers(atom.predicate) || !any_open(atom)) continue;
+    AtomLists::List list = reachable_->with(atom.predicate);
+    for (std::size_t i = 0; i < atom.arguments.size(); ++i) {
+      if (is_open(atom.arguments[i])) continue;
+      const auto fewer = reachable_->with(atom.predicate, i, atom.arguments[i].resolve(data()));
+      if (fewer.size < list.size) list = fewer;
+    }
+    const auto size = static_cast<std::size_t>(list.size);
+    if (best->atom == nullptr || size < best->size) *best = {&atom, size, true, {}, list};
+  }
+}
+
+bool Binder::is_reachable(const AtomPattern& atom) const {
+  if (!reachable_->covers(atom.predicate) || any_open(atom)) return true;
+  std::array<ObjectId, 16> ids{};
+  for (std::size_t i = 0; i < atom.arguments.size(); ++i) ids[i] = atom.arguments[i].resolve(data());
+  return reachable_->contains(atom.predicate, ids.data(), atom.arguments.size());
 }
 
 }  // namespace goalnet::planner

@@ -3,11 +3,13 @@
 // exclude. Internal to the planner.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "components/planner/atom_lists.h"
 #include "components/planner/atom_table.h"
 #include "components/planner/budget.h"
 #include "components/planner/compiled_domain.h"
@@ -22,7 +24,10 @@ class Binder {
   void restart(ProblemIndex& index, Budget& budget) {
     index_ = &index;
     budget_ = &budget;
+    reachable_ = nullptr;
   }
+  // From now on atoms that an action changes must be among these, where they cover the predicate; null: any.
+  void limit_to(const AtomLists* reachable) { reachable_ = reachable; }
 
   // By slot; -1 = open.
   std::vector<ObjectId>& values() { return values_; }
@@ -55,13 +60,23 @@ class Binder {
   bool refused(const Condition& condition) const;
   std::int32_t first_open(const CompiledSchema& schema, const CompiledEffect* effect, bool parameters) const;
   const EqualityPattern* decisive_equality(const Condition& condition) const;
-  // Of the condition's static facts with open variables, the relation with the fewest candidates, if fewer
-  // than there are.
-  void choose_join(const Condition& condition, const LiteralPattern** best,
-                   std::span<const std::int32_t>* candidates);
+  // A relation with open variables, and the atoms that fit what is bound.
+  struct Join {
+    const AtomPattern* atom = nullptr;  // null: none
+    std::size_t size = 0;
+    bool fluent = false;
+    std::span<const std::int32_t> facts;  // in Problem::initial; of a static relation
+    AtomLists::List reachable;            // of one that actions change
+  };
+  // Of the condition's relations with open variables, the one with the fewest candidates, if fewer than there
+  // are.
+  void choose_join(const Condition& condition, Join* best) const;
+  void choose_reachable(const Condition& condition, Join* best) const;
+  bool is_reachable(const AtomPattern& atom) const;
 
   ProblemIndex* index_ = nullptr;
   Budget* budget_ = nullptr;
+  const AtomLists* reachable_ = nullptr;
   std::vector<ObjectId> values_;
 };
 
@@ -74,8 +89,7 @@ bool Binder::each(const CompiledSchema& schema, const CompiledEffect* effect, bo
   if (budget_->poll()) return false;
   const std::array<const Condition*, 2> conditions = {&schema.precondition,
                                                       effect == nullptr ? nullptr : &effect->condition};
-  const LiteralPattern* join = nullptr;
-  std::span<const std::int32_t> candidates;
+  Join join;
   for (const Condition* condition : conditions) {
     if (condition == nullptr) continue;
     if (const EqualityPattern* equality = decisive_equality(*condition)) {
@@ -88,21 +102,22 @@ bool Binder::each(const CompiledSchema& schema, const CompiledEffect* effect, bo
     }
   }
   for (const Condition* condition : conditions) {
-    if (condition != nullptr) choose_join(*condition, &join, &candidates);
+    if (condition != nullptr) choose_join(*condition, &join);
   }
-  if (join != nullptr) {
-    std::array<std::int32_t, 16> opened{};
-    for (const std::int32_t fact : candidates) {
+  if (join.atom != nullptr) {
+    const auto try_atom = [&](AtomRef atom) {
+      std::array<std::int32_t, 16> opened{};
       std::size_t count = 0;
-      for (const Term term : join->atom.arguments) {
+      for (const Term term : join.atom->arguments) {
         if (is_open(term)) opened[count++] = term.slot();
       }
-      const bool go_on = !unify(schema, join->atom, index_->problem().initial[fact]) ||
-                         each(schema, effect, parameters, visit);
+      const bool go_on = !unify(schema, *join.atom, atom) || each(schema, effect, parameters, visit);
       for (std::size_t i = 0; i < count; ++i) values_[static_cast<std::size_t>(opened[i])] = -1;
-      if (!go_on) return false;
-    }
-    return true;
+      return go_on;
+    };
+    if (join.fluent) return reachable_->each(join.reachable, try_atom);
+    return std::all_of(join.facts.begin(), join.facts.end(),
+                       [&](std::int32_t fact) { return try_atom(index_->problem().initial[fact]); });
   }
   bool go_on = true;
   for (const ObjectId object : index_->objects(schema.slot_sets[static_cast<std::size_t>(open)])) {

@@ -9,6 +9,7 @@ Grounder::Grounder(const CompiledDomain& compiled)
     : compiled_(compiled),
       binder_(compiled),
       attainable_(compiled),
+      reachable_(compiled),
       actions_of_schema_(compiled.schemas.size()) {}
 
 void Grounder::restart() {
@@ -30,9 +31,27 @@ Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal,
   index_ = &index;
   budget_ = &budget;
   task_ = &task;
+  // Forwards only where it pays: first with little effort, again where there is no other way.
+  Result result = ground_backwards(goal, goal_slots, nullptr, kManyActions);
+  for (const std::int64_t firings : {kFewFirings, kMostFirings}) {
+    if (result != Result::kTooLarge) return result;
+    const AtomLists* const reachable = reachable_.compute(index, firings, budget);
+    if (budget.stopped()) return Result::kStopped;
+    if (reachable == nullptr && firings == kMostFirings) break;
+    result = ground_backwards(goal, goal_slots, reachable, kMostActions);
+    if (reachable != nullptr) break;
+  }
+  return result;
+}
+
+Grounder::Result Grounder::ground_backwards(const Formula& goal, std::span<const TypeSet> goal_slots,
+                                            const AtomLists* reachable, std::size_t most_actions) {
   restart();
-  binder_.restart(index, budget);
-  attainable_.restart(index, budget);
+  most_actions_ = most_actions;
+  GroundTask& task = *task_;
+  binder_.restart(*index_, *budget_);
+  binder_.limit_to(reachable);
+  attainable_.restart(*index_, *budget_);
   binder_.reserve(goal_slots.size());
   slots_ = goal_slots;
   // The parts of a conjunction one by one, so that they stay literals.
@@ -139,7 +158,7 @@ std::int32_t Grounder::action_for(std::int32_t schema_index, bool create) {
     task_->conditions.truncate(begin);
     return -1;
   }
-  if (task_->actions.size() >= kMostActions) {
+  if (task_->actions.size() >= most_actions_) {
     too_large_ = true;
     return -1;
   }

@@ -18,6 +18,7 @@
 #include "components/planner/compiled_domain.h"
 #include "components/planner/ground_task.h"
 #include "components/planner/problem_index.h"
+#include "components/planner/reachable_atoms.h"
 
 namespace goalnet::planner {
 
@@ -27,6 +28,10 @@ class Grounder {
 
   // More ground actions than this and the answer is kTooLarge. [count]
   static constexpr std::size_t kMostActions = 3'000'000;
+  // With more than this it begins again with only what can be reached forwards. [count]
+  static constexpr std::size_t kManyActions = 20'000;
+  // Actions carried out to find that. [count]
+  static constexpr std::int64_t kFewFirings = 1'000'000, kMostFirings = 30'000'000;
   enum class Result { kDone, kStopped, kTooLarge };
 
   // `goal` in normal form, its quantified variables of the types `goal_slots`.
@@ -49,6 +54,8 @@ class Grounder {
   };
 
   void restart();
+  Result ground_backwards(const Formula& goal, std::span<const TypeSet> goal_slots,
+                          const AtomLists* reachable, std::size_t most_actions);
   bool close();
   void produce(Literal literal);
   void produce(const EffectReference& reference, Literal literal);
@@ -81,9 +88,11 @@ class Grounder {
   GroundTask* task_ = nullptr;
   std::span<const TypeSet> slots_;  // types of the variables at hand
   bool stopped_ = false, too_large_ = false;
+  std::size_t most_actions_ = kMostActions;
 
   Binder binder_;  // of the schema at hand
   Attainable attainable_;
+  ReachableAtoms reachable_;
   std::map<TypeSet, std::vector<ObjectId>> objects_;  // found when first asked for
   AtomTable action_table_;                            // schema and parameters → entry
   Growing<std::int32_t> action_of_entry_;             // -1: impossible

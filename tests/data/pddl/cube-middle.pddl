@@ -1,0 +1,4 @@
+(define (problem p) (:domain cube)
+ (:objects red orange white yellow green blue - colour)
+ (:init (pnnn white blue red) (pnnp orange yellow green) (pnpn yellow red green) (pnpp yellow red blue) (ppnn white green red) (ppnp yellow blue orange) (pppn orange blue white) (pppp green white orange) (pnnz orange yellow) (pnzn blue yellow) (pnzp orange green) (pnpz yellow red) (pznn red blue) (pznp blue orange) (pzpn blue white) (pzpp white orange) (ppnz green yellow) (ppzn white red) (ppzp red green) (pppz green white))
+ (:goal (and (pnnn orange yellow blue) (pnnp orange yellow green) (pnpn orange white blue) (pnpp orange white green) (ppnn red yellow blue) (ppnp red yellow green) (pppn red white blue) (pppp red white green) (pnnz orange yellow) (pnzn orange blue) (pnzp orange green) (pnpz orange white) (pznn yellow blue) (pznp yellow green) (pzpn white blue) (pzpp white green) (ppnz red yellow) (ppzn red blue) (ppzp red green) (pppz red white))))

@@ -1,0 +1,4 @@
+(define (problem p) (:domain cube)
+ (:objects red orange white yellow green blue - colour)
+ (:init (pnnn blue yellow red) (pnnp yellow green orange) (pnpn orange blue yellow) (pnpp green orange white) (ppnn green yellow red) (ppnp white red green) (pppn blue white orange) (pppp blue white red) (pnnz blue yellow) (pnzn orange blue) (pnzp yellow orange) (pnpz green orange) (pznn yellow red) (pznp red green) (pzpn white orange) (pzpp white red) (ppnz green yellow) (ppzn red blue) (ppzp white green) (pppz blue white))
+ (:goal (and (pnnn orange yellow blue) (pnnp orange yellow green) (pnpn orange white blue) (pnpp orange white green) (ppnn red yellow blue) (ppnp red yellow green) (pppn red white blue) (pppp red white green) (pnnz orange yellow) (pnzn orange blue) (pnzp orange green) (pnpz orange white) (pznn yellow blue) (pznp yellow green) (pzpn white blue) (pzpp white green) (ppnz red yellow) (ppzn red blue) (ppzp red green) (pppz red white))))

@@ -1,0 +1,4 @@
+(define (problem p) (:domain recharging)
+ (:objects l0 l1 l2 l3 l4 l5 l6 l7 l8 l9 l10 l11 - location r0 r1 r2 - robot b0 b1 b2 b3 b4 b5 b6 b7 b8 b9 b10 b11 b12 - level c0 c1 - config)
+ (:init (connected l0 l1) (connected l0 l2) (connected l0 l3) (connected l2 l4) (connected l2 l5) (connected l4 l6) (connected l5 l7) (connected l5 l8) (connected l5 l9) (connected l7 l10) (connected l8 l10) (connected l10 l11) (next b0 b1) (next b1 b2) (next b2 b3) (next b3 b4) (next b4 b5) (next b5 b6) (next b6 b7) (next b7 b8) (next b8 b9) (next b9 b10) (next b10 b11) (next b11 b12) (at r0 l0) (battery r0 b12) (at r1 l0) (battery r1 b8) (at r2 l7) (battery r2 b8) (wanted c0 l6) (wanted c0 l11) (wanted c0 l8) (wanted c1 l2) (wanted c1 l8) (wanted c1 l11) (= (total-cost) 0) (= (move-cost) 1) (= (recharge-cost) 0))
+ (:goal (and (fulfilled c0) (fulfilled c1))) (:metric minimize (total-cost)))

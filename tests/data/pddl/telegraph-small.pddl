@@ -1,0 +1,3 @@
+(define (problem p) (:domain telegraph) (:objects p0 p1 p2 - process s0 s1 s2 s3 - state t0-0 t0-1 t0-2 t0-3 t1-0 t1-1 t1-2 t1-3 t2-0 t2-1 t2-2 t2-3 - transition q0 q1 q2 - queue)
+ (:init (at p0 s0) (trans p0 t0-0 s0 s1) (writes t0-0 q0) (trans p0 t0-1 s1 s2) (writes t0-1 q1) (trans p0 t0-2 s2 s3) (reads t0-2 q1) (trans p0 t0-3 s3 s0) (reads t0-3 q0) (at p1 s0) (trans p1 t1-0 s0 s1) (writes t1-0 q1) (trans p1 t1-1 s1 s2) (writes t1-1 q2) (trans p1 t1-2 s2 s3) (reads t1-2 q2) (trans p1 t1-3 s3 s0) (reads t1-3 q1) (at p2 s0) (trans p2 t2-0 s0 s1) (writes t2-0 q2) (trans p2 t2-1 s1 s2) (writes t2-1 q0) (trans p2 t2-2 s2 s3) (reads t2-2 q0) (trans p2 t2-3 s3 s0) (reads t2-3 q2))
+ (:goal (forall (?p - process) (stuck ?p))))
