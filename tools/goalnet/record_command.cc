@@ -43,12 +43,16 @@ int record_command(int argc, char** argv) {
   auto node = ros::Node::create(**context, loop, std::move(node_options));
   if (!node) return refuse(node.error());
   const std::string directory = parsed->options.bag.directory;
+  parsed->options.on_end = [&loop] { loop.stop(); };
   auto recorder = ros::Recorder::create(**node, std::move(parsed->options));
   if (!recorder) return refuse(recorder.error());
   std::cerr << "recording into " << directory << "; Ctrl-C ends it\n";
   if (!stop.requested()) loop.run();
   if (auto closed = (*recorder)->close(); !closed) return refuse(closed.error());
-  std::cerr << (*recorder)->message_count() << " messages recorded\n";
+  std::cerr << (*recorder)->message_count() << " messages recorded";
+  if (const auto left = (*recorder)->left_out(); left > 0)
+    std::cerr << ", " << left << " left out: they came faster than they could be written";
+  std::cerr << "\n";
   return 0;
 }
 

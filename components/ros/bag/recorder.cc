@@ -1,7 +1,9 @@
 #include "components/ros/bag/recorder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <tuple>
+#include <utility>
 
 #include "components/ros/detail/participant.h"
 #include "components/ros/names.h"
@@ -29,6 +31,18 @@ std::vector<OfferedQos> profiles(const std::map<Gid, OfferedQos>& offered) {
 // Lets callbacks of the loop find the recorder while it lives.
 struct Recorder::Inbox {
   Recorder* recorder;
+  std::size_t most_waiting;
+  std::atomic<std::size_t> waiting{0};     // [bytes]
+  std::atomic<std::uint64_t> left_out{0};  // messages
+
+  // Thread-safe. Whether there is room for so many bytes more; leave() gives it back.
+  bool enter(std::size_t bytes) {
+    if (waiting.fetch_add(bytes) + bytes <= most_waiting) return true;
+    waiting.fetch_sub(bytes);
+    left_out.fetch_add(1);
+    return false;
+  }
+  void leave(std::size_t bytes) { waiting.fetch_sub(bytes); }
 };
 
 Expected<std::unique_ptr<Recorder>> Recorder::create(Node& node, RecorderOptions options) {
@@ -42,15 +56,13 @@ Recorder::Recorder(Node& node, RecorderOptions options, std::unique_ptr<BagWrite
     : node_(node),
       options_(std::move(options)),
       bag_(std::move(bag)),
-      inbox_(std::make_shared<Inbox>(Inbox{this})) {
+      inbox_(std::make_shared<Inbox>(this, options_.most_waiting)) {
   look_for_topics();
   if (options_.lockstep)
     node.context().participant()->written().on_local_writer([this] { look_for_topics(); });
   Clock& clock = options_.lockstep ? node.clock() : wall_;
   looker_ = Timer::create(node.loop(), clock, std::chrono::milliseconds(100), [this] { look_for_topics(); });
-  flusher_ = Timer::create(node.loop(), clock, std::chrono::milliseconds(500), [this] {
-    if (auto flushed = bag_->flush(); !flushed) end_on(flushed.error());
-  });
+  flusher_ = Timer::create(node.loop(), clock, std::chrono::milliseconds(500), [this] { flush(); });
 }
 
 Recorder::~Recorder() {
@@ -149,7 +161,10 @@ void Recorder::subscribe(const std::string& name, Channel& channel) {
   Reader::Callbacks callbacks;
   callbacks.on_payload = [name, &loop = node_.loop(), inbox = inbox_](std::vector<std::uint8_t> payload,
                                                                       const SampleInfo& info) {
-    loop.post([name, inbox, info, payload = std::move(payload)]() mutable {
+    const std::size_t size = payload.size();
+    if (!inbox->enter(size)) return;
+    loop.post([name, inbox, info, size, payload = std::move(payload)]() mutable {
+      inbox->leave(size);
       if (inbox->recorder != nullptr) inbox->recorder->on_payload(name, std::move(payload), info);
     });
   };
@@ -175,7 +190,18 @@ void Recorder::end_on(const Error& error) {
   node_.log().error("{}; the recording ends here", error.message);
   static_cast<void>(close());
   result_ = tl::unexpected(error);
+  if (options_.on_end) options_.on_end();
 }
+
+void Recorder::flush() {
+  const std::uint64_t left = left_out();
+  if (left > told_left_out_)
+    node_.log().warn("{} messages were left out: they come faster than they can be written",
+                     left - std::exchange(told_left_out_, left));
+  if (auto flushed = bag_->flush(); !flushed) end_on(flushed.error());
+}
+
+std::uint64_t Recorder::left_out() const { return inbox_->left_out.load(); }
 
 Expected<void> Recorder::close() {
   if (closed_) return result_;

@@ -1,6 +1,9 @@
 // Records topics of any type into a rosbag2 directory: `ros2 bag info`, `ros2 bag play` and Foxglove open it.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -20,6 +23,11 @@ struct RecorderOptions {
   // before it publishes anything, and flushes in simulated time. The same run is then recorded the same way
   // each time.
   bool lockstep = false;
+  // [bytes] of messages that may wait to be written where they come faster than the disk takes them; more are
+  // left out, counted and told.
+  std::size_t most_waiting = std::size_t{256} << 20;
+  // Called when nothing more can be written (the disk is full); close() says why. May be empty.
+  std::function<void()> on_end;
 };
 
 // Runs in the node's loop. What was recorded more than a second ago survives a crash. Messages are stamped
@@ -39,6 +47,8 @@ class Recorder {
   Expected<void> close();
 
   std::uint64_t message_count() const { return bag_->message_count(); }
+  // Messages that came faster than they could be written.
+  std::uint64_t left_out() const;
   const BagMetadata& metadata() const { return bag_->metadata(); }
 
  private:
@@ -58,6 +68,7 @@ class Recorder {
   void subscribe(const std::string& name, Channel& channel);
   void on_payload(const std::string& name, std::vector<std::uint8_t> payload, const SampleInfo& info);
   void end_on(const Error& error);
+  void flush();
 
   Node& node_;
   RecorderOptions options_;
@@ -66,6 +77,7 @@ class Recorder {
   std::map<std::string, Channel> channels_;  // by ROS name
   std::shared_ptr<Inbox> inbox_;
   std::shared_ptr<Timer> looker_, flusher_;
+  std::uint64_t told_left_out_ = 0;
   bool closed_ = false;
   Expected<void> result_;
 };

@@ -43,8 +43,10 @@ struct BagTest : testing::Test {
   void SetUp() override { std::filesystem::remove_all(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
 
-  std::unique_ptr<Recorder> recorder(TopicSelection selection, BagStorage storage = BagStorage::kMcap) {
+  std::unique_ptr<Recorder> recorder(TopicSelection selection, BagStorage storage = BagStorage::kMcap,
+                                     std::size_t most_waiting = std::size_t{1} << 20) {
     RecorderOptions options;
+    options.most_waiting = most_waiting;
     options.bag.directory = folder.string();
     options.bag.storage = storage;
     options.selection = std::move(selection);
@@ -99,6 +101,20 @@ TEST_F(BagTest, RecordsEverythingOnceInBothStorages) {
     EXPECT_THAT(reader->topics()[1].definition, HasSubstr("\nMSG: goalnet_msgs/Predicate\n"));
     EXPECT_THAT(reader->topics()[1].definition, HasSubstr("\nMSG: builtin_interfaces/Time\n"));
   }
+}
+
+TEST_F(BagTest, WhatComesFasterThanItIsWrittenIsLeftOutAndCounted) {
+  auto texts = node.advertise<String>("/instruction", Qos::standard());
+  auto bag = recorder(select({"/instruction"}), BagStorage::kMcap, 10'000);
+  const std::string kilobyte(1000, 'a');
+  for (int i = 0; i < 30; ++i) texts->publish(text(kilobyte));  // nobody writes meanwhile
+  deliver();
+  EXPECT_EQ(bag->message_count(), 9u) << "of 1,009 bytes each";
+  EXPECT_EQ(bag->left_out(), 21u);
+  texts->publish(text(kilobyte));
+  deliver();
+  EXPECT_EQ(bag->message_count(), 10u) << "room again";
+  ASSERT_TRUE(bag->close());
 }
 
 TEST_F(BagTest, LatchedMessagesOfBeforeAreRecorded) {
