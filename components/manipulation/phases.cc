@@ -49,6 +49,21 @@ Phase fingers(std::string stage, std::size_t arm, double opening, double settle)
   return phase;
 }
 
+void expect_unmoved(Phase& phase, const Workbench& bench, const std::string& object) {
+  constexpr double kMoved = 0.02, kTurned = 0.2;  // [m, rad]
+  const Pose* pose = bench.world().object(object);
+  if (pose == nullptr || bench.arm_holding(object) || bench.checker().rides(object)) return;
+  phase.plan = [plan = std::move(phase.plan), object,
+                before = *pose](Workbench& b) -> Expected<JointTrajectory> {
+    const Pose* now = b.world().object(object);
+    if (now == nullptr) return fail(Outcome::kMotionFailed, object + " is not seen any more");
+    const Eigen::Vector3d up = now->linear().col(2), up_before = before.linear().col(2);
+    if ((now->translation() - before.translation()).norm() > kMoved || up.cross(up_before).norm() > kTurned)
+      return fail(Outcome::kMotionFailed, object + " was moved meanwhile");
+    return plan(b);
+  };
+}
+
 namespace {
 
 // Everything that the hand is in touch with now may be touched while backing away.

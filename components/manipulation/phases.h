@@ -29,6 +29,10 @@ Expected<Reach> add_way_there(Phases& phases, Workbench& bench, const std::vecto
 Phase straight(std::string stage, std::size_t arm, std::vector<Pose> poses, Tolerances tolerances,
                double speed = 1.0);
 
+// The phase fails if an object that neither a hand nor the tray carries is not where it is now when its turn
+// comes: somebody has moved it meanwhile.
+void expect_unmoved(Phase& phase, const Workbench& bench, const std::string& object);
+
 // Fingers to an opening [m].
 Phase fingers(std::string stage, std::size_t arm, double opening, double settle = 0.0);
 

@@ -199,6 +199,7 @@ Expected<Phases> GestureSkill::use(Workbench& bench, std::size_t arm) {
   Phase there = straight(kind_ == Kind::kScoop ? "scoop" : "pour", arm,
                          {reach.tool.begin() + 1, reach.tool.end()}, reach.tolerances, 0.6);
   there.settle = 1.4;  // contents take their time (DeviceRules: half a second to one second)
+  if (!receiver_.empty()) expect_unmoved(there, bench, receiver_);
   phases.push_back(there);
   phases.push_back(
       straight("return", arm, {reach.tool.rbegin() + 1, reach.tool.rend()}, reach.tolerances, 0.8));

@@ -45,6 +45,7 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
   const std::string object = object_;
 
   phases.push_back(straight("reach", arm, {reach.tool[1]}, reach.tolerances, 0.8));
+  expect_unmoved(phases.back(), bench, object_);
   Phase close = fingers("grasp", arm, grip_opening(width, model->grip_force), 0.15);
   close.check = [=](Workbench& b) -> Expected<void> {
     const double opening = b.opening_of(b.world().robot, arm);
@@ -104,45 +105,53 @@ std::vector<Reach> pointing_at(const Workbench& bench, const Pose& object) {
 Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
   if (number > 0) return fail(Outcome::kMotionFailed, "moveto " + object_ + ": no other way to get there");
   if (bench.arm_holding(object_)) return Phases{};
-  std::vector<std::vector<Reach>> wishes;  // best first
-  bool full = true;                        // no hand could reach for anything: to stand there is enough
+  struct Wish {
+    std::vector<Reach> reaches;
+    bool stand_only = false;
+    std::function<bool(const Configuration&, const Reach&, const std::vector<ArmPositions>&)> accept = {};
+  };
+  std::vector<Wish> wishes;  // best first
+  bool full = true;          // no hand could reach for anything: to stand there is enough
   for (const auto& held : bench.held()) full = full && held.has_value();
   const Pose* pose = bench.world().object(object_);
   std::string place = object_;
   if (pose != nullptr) {
-    wishes.push_back(full ? pointing_at(bench, *pose) : grasp_reaches(bench, object_));
-    if (const auto* region = region_around(bench, *pose)) place = region->fixture;
-  } else if (const auto ref = bench.scene().find_part(object_);
-             !full && ref && ref.part->use != scene::PartUse::kDoor) {
-    wishes.push_back(ref.part->use == scene::PartUse::kButton ? press_reaches(bench, ref)
-                                                              : part_reaches(bench, ref));
-    place = ref.fixture->name;
-  }
-  wishes.push_back(front_reaches(bench, place));
-  Expected<ReachSolution> solution = fail(Outcome::kMotionFailed, "nothing to go to");
-  StandSearchOptions options;
-  options.stand_only = full;
-  if (pose != nullptr) {
-    if (bench.checker().rides(object_)) return Phases{};
     // To be near means to have it before oneself, not just in reach from the side.
-    options.accept = [&bench, at = pose->translation()](const Configuration& q, const Reach&, const auto&) {
+    const auto before_it = [&bench, at = pose->translation()](const Configuration& q, const Reach&,
+                                                              const auto&) {
       const Stand stand = bench.stand_of(q);
       const double dx = at.x() - stand.x, dy = at.y() - stand.y;
       return std::hypot(dx, dy) < 0.95 &&
              std::abs(std::remainder(std::atan2(dy, dx) - stand.yaw, 2 * M_PI)) < 0.7;
     };
+    if (!full) wishes.push_back({grasp_reaches(bench, object_), false, before_it});
+    const auto* region = region_around(bench, *pose);
+    // What no hand can take now (it has fallen over) can be gone to all the same.
+    if (full || region == nullptr || is_worktop(*region))
+      wishes.push_back({pointing_at(bench, *pose), true, before_it});
+    if (region != nullptr) place = region->fixture;
+  } else if (const auto ref = bench.scene().find_part(object_);
+             !full && ref && ref.part->use != scene::PartUse::kDoor) {
+    wishes.push_back(
+        {ref.part->use == scene::PartUse::kButton ? press_reaches(bench, ref) : part_reaches(bench, ref)});
+    place = ref.fixture->name;
   }
+  Expected<ReachSolution> solution = fail(Outcome::kMotionFailed, "nothing to go to");
+  if (pose != nullptr && bench.checker().rides(object_)) return Phases{};
   const scene::Region* region = bench.scene().find_region(place);
   const scene::Fixture* fixture = bench.scene().find_fixture(region != nullptr ? region->fixture : place);
   const auto before_fixture = [&bench, fixture](const Configuration& q, const Reach&, const auto&) {
     return stands_before(bench.stand_of(q), *fixture);
   };
-  if (pose == nullptr && fixture != nullptr) options.accept = before_fixture;
-  for (const auto& wish : wishes) {
-    if (wish.empty()) continue;
-    solution = find_stand(bench, wish, options);
-    options.accept = nullptr;  // the second wish stands before the furniture, not before the thing
-    if (fixture != nullptr) options.accept = before_fixture;
+  // The last wish is to stand before the furniture.
+  wishes.push_back({front_reaches(bench, place), full});
+  for (auto& wish : wishes) {
+    if (wish.reaches.empty()) continue;
+    StandSearchOptions options;
+    options.stand_only = wish.stand_only;
+    options.accept = std::move(wish.accept);
+    if (!options.accept && fixture != nullptr) options.accept = before_fixture;
+    solution = find_stand(bench, wish.reaches, options);
     if (solution || solution.error().outcome == Outcome::kCancelled) break;
   }
   if (!solution) return fail(solution.error().outcome, "moveto " + object_ + ": " + solution.error().message);

@@ -74,6 +74,7 @@ Expected<Phases> PutSkill::use(Workbench& bench, std::size_t arm) {
   failed_.insert(reach.tag);
   Phase lower = straight("put in", arm, {reach.tool.begin() + 1, reach.tool.end()}, reach.tolerances, 0.5);
   lower.settle = 0.1;
+  expect_unmoved(lower, bench, receiver_);
   phases.push_back(lower);
   Tolerances touch;
   touch.allow_all(bench.checker().hand_parts(arm), bench.checker().body(held_));
