@@ -88,6 +88,7 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
   std::deque<Entry> requests_;
   std::uint64_t dropped_ = 0;
   std::deque<Waiting> waiting_;
+  bool has_replied_ = false;
   std::set<Gid> acquainted_;  // clients of rmw_cyclonedds that have begun to follow our replies
   Clock wall_;
   std::shared_ptr<Timer> look_again_;  // active while anything is waiting

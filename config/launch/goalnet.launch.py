@@ -21,7 +21,7 @@ ARGUMENTS = {
     "simulator": ("true", "false: a real robot and its perception are there"),
     "use_sim_time": ("true", "follow /clock; with simulator:=false usually false"),
     "autostart": ("true", "false: a lifecycle manager configures and activates the nodes"),
-    "distro": ("jazzy", "whose conventions on the wire are followed: humble or jazzy"),
+    "distro": ("", "whose conventions on the wire are followed: humble or jazzy; empty: ROS_DISTRO's"),
     "log_level": ("info", "debug, info, warn, error or fatal"),
     "params_file": ("", "YAML file with parameters of any of the nodes"),
 }
@@ -67,7 +67,7 @@ def processes(context):
             cmd=command_of(component, given),
             name=component,
             output="screen",
-            additional_env={"GOALNET_ROS_DISTRO": given["distro"]},
+            additional_env={"GOALNET_ROS_DISTRO": given["distro"]} if given["distro"] else {},
             respawn=not lost,
             respawn_delay=2.0,
             sigterm_timeout="5",

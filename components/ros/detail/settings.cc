@@ -65,6 +65,9 @@ Expected<ParticipantSettings> read_settings(const ContextOptions& options) {
     auto distro = parse_distro(name);
     if (!distro) return fail(Outcome::kInvalidRequest, "GOALNET_ROS_DISTRO: " + distro.error().message);
     settings.distro = *distro;
+  } else if (environment("ROS_DISTRO") == "humble") {
+    // What a shell with ROS 2 in it says; the layout changed after Humble.
+    settings.distro = Distro::kHumble;
   }
   auto range = parse_range(environment("ROS_AUTOMATIC_DISCOVERY_RANGE"));
   if (!range) return tl::unexpected(range.error());

@@ -1,6 +1,6 @@
 /* What a ROS 2 tool's middleware gets to know of a domain, seen by Cyclone DDS, which shares no code with goalnet:
  *   cyclone_graph DOMAIN SECONDS humble|jazzy
- * Prints every 300 ms, ended by a line "end", one line for each
+ * Prints every 250 ms, ended by a line "end", one line for each
  *   participant GUID NAME USER_DATA
  *   writer|reader GUID PARTICIPANT TOPIC TYPE RELIABLE TRANSIENT_LOCAL DEADLINE LIVELINESS LEASE USER_DATA
  *   node PARTICIPANT NAMESPACE NAME readers GUID… writers GUID…
@@ -143,9 +143,9 @@ int main(int argc, char** argv) {
   dds_delete_qos(qos);
   printf("ready\n");
   fflush(stdout);
-  const dds_time_t end = dds_time() + DDS_SECS(atoi(argv[2]));
+  const dds_time_t end = dds_time() + (dds_time_t)(atof(argv[2]) * 1e9);
   while (dds_time() < end) {
-    dds_sleepfor(DDS_MSECS(300));
+    dds_sleepfor(DDS_MSECS(250));
     FOR_EACH_ALIVE(participants, print_participant(samples[i]));
     FOR_EACH_ALIVE(writers, print_endpoint("writer", samples[i]));
     FOR_EACH_ALIVE(readers, print_endpoint("reader", samples[i]));

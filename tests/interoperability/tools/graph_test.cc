@@ -53,6 +53,8 @@ class ToolsGraph : public testing::TestWithParam<const char*> {
         quiet = all && now == before ? quiet + 1 : 0;
         before = now;
       }
+      Process passer_by({testing_support::program("cyclone_graph"), domain, "0.5", distro}, {});
+      glances_[distro] = fullest_graph(passer_by.wait(5s).out);
       for (const std::string& node : kComponents) {
         Process tool({testing_support::program("cyclone_services"), "state", domain, node}, {});
         tool.wait(12s);
@@ -88,10 +90,10 @@ class ToolsGraph : public testing::TestWithParam<const char*> {
     return services;
   }
 
-  static std::map<std::string, SeenGraph> graphs_;
+  static std::map<std::string, SeenGraph> graphs_, glances_;
   static std::map<std::string, std::string> states_;
 };
-std::map<std::string, SeenGraph> ToolsGraph::graphs_;
+std::map<std::string, SeenGraph> ToolsGraph::graphs_, ToolsGraph::glances_;
 std::map<std::string, std::string> ToolsGraph::states_;
 
 // ros2 node list; the warning of nodes that share a name; participants without an enclave are not in the
@@ -284,6 +286,16 @@ TEST_P(ToolsGraph, NothingElseIsHidden) {
     EXPECT_EQ(name.find("/_"), std::string::npos) << one->topic;
     EXPECT_EQ(name.find("__"), std::string::npos) << one->topic;
     EXPECT_LE(one->topic.size(), 255u) << one->topic;
+  }
+}
+
+// A command without a daemon looks for half a second.
+TEST_P(ToolsGraph, HalfASecondShowsEverything) {
+  const SeenGraph& glance = glances_.at(GetParam());
+  EXPECT_EQ(without_launcher(glance.node_names()), kComponents);
+  for (const auto& [guid, endpoint] : graph().endpoints) {
+    const bool ours = guid.starts_with("010f");
+    EXPECT_TRUE(!ours || glance.endpoints.contains(guid)) << endpoint.topic;
   }
 }
 

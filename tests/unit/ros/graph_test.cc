@@ -293,6 +293,16 @@ TEST(Settings, FromTheEnvironment) {
   }
   EXPECT_EQ(detail::read_settings({})->distro, Distro::kJazzy);
   {
+    Environment sourced("ROS_DISTRO", "humble");
+    EXPECT_EQ(detail::read_settings({})->distro, Distro::kHumble) << "started from a shell with ROS 2 in it";
+    Environment chosen("GOALNET_ROS_DISTRO", "jazzy");
+    EXPECT_EQ(detail::read_settings({})->distro, Distro::kJazzy) << "who says so wins";
+  }
+  for (const char* other : {"jazzy", "kilted", "noetic", ""}) {
+    Environment sourced("ROS_DISTRO", other);
+    EXPECT_EQ(detail::read_settings({})->distro, Distro::kJazzy) << other;
+  }
+  {
     Environment secure("ROS_SECURITY_ENABLE", "true");
     EXPECT_TRUE(detail::read_settings({})) << "Permissive: as without";
     Environment strategy("ROS_SECURITY_STRATEGY", "Enforce");

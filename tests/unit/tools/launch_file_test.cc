@@ -21,7 +21,7 @@ TEST(LaunchFile, ComponentsBecomeCommands) {
 arguments: {scene: kitchen, space: /robot1}
 namespace: ${space}
 use_sim_time: true
-environment: {A: x}
+environment: {A: x, C: ""}
 patience: 1.5
 processes:
   simulator: {component: simulator, parameters: {scene: "${scene}", seed: 3}, restart: never}
@@ -41,6 +41,7 @@ processes:
                           "/tf:=tf", "-r", "/tf_static:=tf_static", "-r", "__node:=brain", "-p",
                           "use_sim_time:=true", "-r", "/plan:=/my_plan"));
   EXPECT_EQ(plan->processes[1].environment.at("A"), "y");
+  EXPECT_FALSE(plan->processes[1].environment.contains("C")) << "left as it is";
   EXPECT_FALSE(plan->processes[1].required);
 }
 

@@ -85,6 +85,8 @@ class Reader {
       for (auto& [variable, value] : values_.texts_by_name(node["environment"], "environment"))
         made.environment[variable] = value;
     }
+    // So that an argument can leave a variable as it is where `goalnet launch` was started.
+    std::erase_if(made.environment, [](const auto& entry) { return entry.second.empty(); });
     if (node["restart"]) made.restart = restart(node["restart"], restart_);
     if (node["required"]) made.required = values_.flag(node["required"], "required");
     if (node["component"].IsDefined() == node["command"].IsDefined())

@@ -3,7 +3,7 @@
 //   arguments: {scene: kitchen}              # defaults; name:=value on the command line wins; ${scene} below
 //   namespace: /robot1                       # of all components
 //   use_sim_time: true                       # for all components but the simulator
-//   environment: {GOALNET_ROS_DISTRO: jazzy}
+//   environment: {GOALNET_ROS_DISTRO: jazzy} # an empty value leaves the variable as it is
 //   restart: {when: on_failure, delay: 0.5, longest_delay: 8, limit: 5, window: 60, silent_after: 20}
 //   patience: 3                              # [s] between SIGTERM and SIGKILL at the end
 //   processes:                               # started in this order, stopped in the opposite one
