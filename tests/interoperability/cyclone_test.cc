@@ -72,6 +72,24 @@ TEST(Cyclone, ReadsOurTopicsCorrectly) {
   EXPECT_THAT(out, HasSubstr("rosout 30 robot: the tap runs at 100 %\n"));
 }
 
+// Larger than a UDP datagram: sent in fragments, latched.
+TEST(Cyclone, ReadsLargeMessages) {
+  auto context = make_context(kDomain);
+  EventLoop loop;
+  Node node(*context, loop, plain("robot"));
+  auto worlds = node.advertise<goalnet_msgs::msg::WorldState>("/world_state", Qos::latched());
+  auto large = world();
+  std::string all;
+  for (int i = 0; i < 3000; ++i) {
+    large.objects().push_back("Object_" + std::to_string(i) + std::string(90, 'x'));
+    all += " " + large.objects().back();
+  }
+  ASSERT_GT(all.size(), 300'000u);
+  worlds->publish(large);
+  auto reader = peer("read", "10");
+  EXPECT_TRUE(reader->wait_for_text("Straße" + all + " facts", 8s));
+}
+
 TEST(Cyclone, WritesToOurTopics) {
   auto context = make_context(kDomain);
   EventLoop loop;

@@ -75,6 +75,7 @@ constexpr std::uint32_t kPeersPerHost = 32;
 // and a new one on that port is not heard for seconds, sometimes never (docs/design/020-udp-only.md).
 void set_transports(const ParticipantSettings& settings, dds::DomainParticipantQos& qos) {
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  if (settings.range == Range::kLoopback) udp->interfaceWhiteList.emplace_back("127.0.0.1");
   auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
   if (settings.range == Range::kLocalhost || !settings.static_peers.empty()) {
     udp->maxInitialPeersRange = kPeersPerHost;

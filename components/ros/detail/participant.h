@@ -34,7 +34,8 @@ struct ParticipantSettings {
   int domain_id = 0;
   std::string enclave = "/";
   Distro distro = Distro::kJazzy;
-  enum class Range { kOff, kLocalhost, kSubnet, kSystemDefault } range = Range::kSubnet;
+  // kLoopback: the loopback interface alone, multicast included, as ROS_LOCALHOST_ONLY means it in Humble.
+  enum class Range { kOff, kLoopback, kLocalhost, kSubnet, kSystemDefault } range = Range::kSubnet;
   bool process_only = false;
   bool shared_memory = false;
   std::string static_peers;      // host;host

@@ -75,7 +75,9 @@ Expected<ParticipantSettings> read_settings(const ContextOptions& options) {
   // The older variable wins where it is set.
   const std::string localhost_only = environment("ROS_LOCALHOST_ONLY");
   if (localhost_only == "1") {
-    settings.range = ParticipantSettings::Range::kLocalhost;
+    // Humble's participants announce addresses of the loopback interface only and take no other's.
+    settings.range = settings.distro == Distro::kHumble ? ParticipantSettings::Range::kLoopback
+                                                        : ParticipantSettings::Range::kLocalhost;
   } else if (!localhost_only.empty() && localhost_only != "0") {
     return fail(Outcome::kInvalidRequest,
                 "ROS_LOCALHOST_ONLY is '" + localhost_only + "'; it must be 0 or 1");

@@ -6,7 +6,11 @@
 //   rmw_tool call DOMAIN SERVICE A B        ros2 service call SERVICE example_interfaces/srv/AddTwoInts
 //   rmw_tool nodes DOMAIN SECONDS NAME      ros2 node list --no-daemon --spin-time SECONDS, in Jazzy's
 //   layout; "found"
+// ROS_LOCALHOST_ONLY=1 is obeyed as in Humble, ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST as in Jazzy.
 #include <fastdds/rtps/common/WriteParams.h>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
@@ -46,6 +50,30 @@ int finished(const char* what) {
   return 0;
 }
 
+bool is(const char* variable, const char* value) {
+  const char* set = std::getenv(variable);
+  return set != nullptr && std::string(set) == value;
+}
+
+void stay_on_this_host(dds::DomainParticipantQos& qos) {
+  const bool humble = is("ROS_LOCALHOST_ONLY", "1");
+  if (!humble && !is("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")) return;
+  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
+  if (humble) {
+    udp->interfaceWhiteList.emplace_back("127.0.0.1");
+  } else {
+    udp->maxInitialPeersRange = shared_memory->maxInitialPeersRange = 32;
+    auto& builtin = qos.wire_protocol().builtin;
+    builtin.metatrafficUnicastLocatorList.push_back(rtps::Locator_t());
+    rtps::Locator_t peer;
+    rtps::IPLocator::setIPv4(peer, "127.0.0.1");
+    builtin.initialPeersList.push_back(peer);
+  }
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports = {udp, shared_memory};
+}
+
 class Tool {
  public:
   explicit Tool(int domain) {
@@ -55,6 +83,7 @@ class Tool {
     qos.user_data().data_vec({user_data, user_data + sizeof user_data});
     qos.wire_protocol().builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     qos.wire_protocol().builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+    stay_on_this_host(qos);
     participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos);
     publisher_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
     subscriber_ = participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);

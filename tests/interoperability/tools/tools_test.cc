@@ -24,19 +24,21 @@ using testing_support::Process;
 const int kDomain = program_domain(68);
 constexpr int kRuns = 10;
 
+// Runs one tool to its end while the loop works. Its exit code, output and time to the first result.
+testing_support::ProcessResult run_tool(EventLoop& loop, std::vector<std::string> words) {
+  words.insert(words.begin(), testing_support::program("rmw_tool"));
+  words.insert(words.begin() + 2, std::to_string(kDomain));
+  Process tool(words, {});
+  std::optional<testing_support::ProcessResult> result;
+  std::thread waiting([&] { result = tool.wait(15s); });
+  loop.run_for(20s, [&] { return tool.out().find('\n') != std::string::npos; });
+  loop.run_for(50ms);
+  waiting.join();
+  return *result;
+}
+
 struct Tools : testing::Test {
-  // Runs one tool to its end while the node works. Its exit code, output and time to the first result.
-  testing_support::ProcessResult run(std::vector<std::string> words) {
-    words.insert(words.begin(), testing_support::program("rmw_tool"));
-    words.insert(words.begin() + 2, std::to_string(kDomain));
-    Process tool(words, {});
-    std::optional<testing_support::ProcessResult> result;
-    std::thread waiting([&] { result = tool.wait(15s); });
-    loop.run_for(20s, [&] { return tool.out().find('\n') != std::string::npos; });
-    loop.run_for(50ms);
-    waiting.join();
-    return *result;
-  }
+  testing_support::ProcessResult run(const std::vector<std::string>& words) { return run_tool(loop, words); }
   static double milliseconds(const testing_support::ProcessResult& result) {
     return std::atof(result.out.substr(std::string("FIRST ").size()).c_str());
   }
@@ -95,6 +97,27 @@ TEST_F(Tools, NodeListFindsUs) {
     const auto result = run({"nodes", "5", "/robot"});
     ASSERT_EQ(result.exit_code, 0) << "run " << i;
     times.push_back(milliseconds(result));
+  }
+}
+
+// A shell in which both a robot and its tools are told to stay on this host, each distribution's way.
+TEST(OneHost, ToolsFindUs) {
+  const std::tuple<const char*, const char*, Distro> kinds[] = {
+      {"ROS_LOCALHOST_ONLY", "1", Distro::kHumble},
+      {"ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST", Distro::kJazzy}};
+  for (const auto& [variable, value, distro] : kinds) {
+    setenv(variable, value, 1);
+    auto context = make_context(kDomain, distro);
+    EventLoop loop;
+    Node node(*context, loop, plain("robot"));
+    Server<AddTwoInts> server(
+        node, "/add", [](const auto& request, auto& response) { response.sum(request.a() + request.b()); });
+    for (int i = 0; i < 3; ++i) {
+      const auto result = run_tool(loop, {"call", "/add", std::to_string(i), "100"});
+      EXPECT_EQ(result.exit_code, 0) << variable << " run " << i << " " << result.err;
+      EXPECT_THAT(result.out, testing::HasSubstr("\n" + std::to_string(100 + i) + "\n"));
+    }
+    unsetenv(variable);
   }
 }
 

@@ -290,6 +290,7 @@ TEST(Settings, FromTheEnvironment) {
     Environment range("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET");
     Environment localhost("ROS_LOCALHOST_ONLY", "1");
     EXPECT_EQ(detail::read_settings({})->range, Range::kLocalhost) << "the older variable overrides";
+    EXPECT_EQ(detail::read_settings({.distro = Distro::kHumble})->range, Range::kLoopback);
   }
   EXPECT_EQ(detail::read_settings({})->distro, Distro::kJazzy);
   {
