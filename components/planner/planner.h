@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stop_token>
 
@@ -32,6 +33,9 @@ struct SolveOptions {
   bool satisficing = false;
   // Asked at least every millisecond, also while grounding: then the answer is kCancelled.
   std::stop_token stop;
+  // Told every plan that is cheaper than those before while the search goes on for a better one or a proof,
+  // in the thread that solves; so that who stops the search can have the best plan so far. May be empty.
+  std::function<void(const Plan&)> on_plan;
 };
 
 // Not thread-safe: one per thread. The domain must outlive it.

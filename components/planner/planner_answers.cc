@@ -1,4 +1,6 @@
 // What the planner says: plans with the names of actions, and why there is none.
+#include <algorithm>
+
 #include "components/planner/pair_reachability.h"
 #include "components/planner/planner_impl.h"
 
@@ -58,6 +60,20 @@ std::string Planner::Impl::exclusive_goals_message(Budget& budget) const {
   return "";
 }
 
+void Planner::Impl::name_actions(Plan& plan) const {
+  for (const std::int32_t action : best) {
+    const GroundAction& ground = task.actions[static_cast<std::size_t>(action)];
+    plan.actions.push_back(name_of(ground.schema, task.bindings.data() + ground.binding));
+  }
+}
+
+void Planner::Impl::tell(Plan plan, const SolveOptions& options) const {
+  if (!options.on_plan) return;
+  name_actions(plan);
+  plan.lower_bound = std::min(plan.lower_bound, plan.cost);
+  options.on_plan(plan);
+}
+
 Expected<Plan> Planner::Impl::finish(Plan plan, bool found, Budget& budget, const SolveOptions& options) {
   if (budget.reason() == Budget::Reason::kCancelled) return stopped(budget, options);
   if (!found) {
@@ -70,10 +86,7 @@ Expected<Plan> Planner::Impl::finish(Plan plan, bool found, Budget& budget, cons
     return fail(Outcome::kStepLimit,
                 "no plan found within the memory and node limits; that there is none is not known");
   }
-  for (const std::int32_t action : best) {
-    const GroundAction& ground = task.actions[static_cast<std::size_t>(action)];
-    plan.actions.push_back(name_of(ground.schema, task.bindings.data() + ground.binding));
-  }
+  name_actions(plan);
   return plan;
 }
 

@@ -56,6 +56,8 @@ struct Planner::Impl {
   Action name_of(std::int32_t schema, const ObjectId* binding) const;
   std::int64_t cost_of(const std::vector<std::int32_t>& actions) const;
   Expected<Plan> stopped(const Budget& budget, const SolveOptions& options) const;
+  void name_actions(Plan& plan) const;
+  void tell(Plan plan, const SolveOptions& options) const;
   Expected<Plan> finish(Plan plan, bool found, Budget& budget, const SolveOptions& options);
   Expected<Plan> search(const Problem& problem, const SolveOptions& options, Budget& budget);
   std::string unreachable_message() const;

@@ -22,6 +22,7 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   if (found) {
     shorten_plan(task, initial.data(), budget, &best);
     limits.upper_bound = plan.cost = cost_of(best);
+    tell(plan, options);
   }
   const auto satisfice = [&](int turns, Budget& time) {
     if (!found && !exclusion_tried) {  // what no search would find quickly
@@ -40,6 +41,7 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
       plan.cost = limits.upper_bound = satisficing.cost();
       plan.statistics.method = satisficing.method();
       found = true;
+      tell(plan, options);
     }
     return result;
   };

@@ -1,10 +1,14 @@
 #include "tools/goalnet/plan_command.h"
 
+#include <unistd.h>
+
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "components/planner/plan_format.h"
@@ -23,7 +27,9 @@ constexpr const char* kFooter =
     "\n"
     "exit codes: 0 a plan was found; 11 an unknown object; 12 there is no plan; 13 a slip in a file or an "
     "argument;\n"
-    "20 no plan within the limits of time and memory; 22 Ctrl-C.";
+    "20 no plan within the limits of time and memory; 22 Ctrl-C before a plan was found (after that it "
+    "prints\n"
+    "the best plan so far).";
 
 struct Options {
   std::string domain, problem;
@@ -73,7 +79,16 @@ nlohmann::json to_json(const planner::Plan& plan) {
             {"search_s", s.search_seconds}}}};
 }
 
+// On a terminal, one line for each plan that is better than those before.
+void show_progress(const planner::Plan& plan, double seconds) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  std::fprintf(
+      stderr, "%.1f s: a plan of cost %lld, none costs less than %lld; looking on (Ctrl-C prints the best)\n",
+      seconds, static_cast<long long>(plan.cost), static_cast<long long>(plan.lower_bound));
+}
+
 Expected<planner::Plan> make_plan(const Options& options, bool* with_costs) {
+  const auto start = std::chrono::steady_clock::now();
   const auto domain = planner::load_domain(options.domain, interruption().get_token());
   if (!domain) return tl::unexpected(domain.error());
   const auto problem = planner::load_problem(options.problem, *domain, interruption().get_token());
@@ -85,7 +100,13 @@ Expected<planner::Plan> make_plan(const Options& options, bool* with_costs) {
   solve.memory_limit = static_cast<std::int64_t>(options.memory_limit * 1024 * 1024);
   solve.satisficing = options.satisficing;
   solve.stop = interruption().get_token();
+  std::optional<planner::Plan> best;
+  solve.on_plan = [&](const planner::Plan& plan) {
+    best = plan;
+    show_progress(plan, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  };
   auto plan = planner::solve(*domain, *problem, solve);
+  if (!plan && plan.error().outcome == Outcome::kCancelled && best) plan = std::move(*best);
   if (!plan) return plan;
   // Nobody should act on a plan that was not replayed.
   if (const auto valid = planner::validate(*problem, plan->actions); !valid) {

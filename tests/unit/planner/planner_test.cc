@@ -238,6 +238,30 @@ TEST(Limits, CancelIsQuickAtAnyStage) {
   }
 }
 
+TEST(Limits, WhoStopsTheProofHasTheBestPlanSoFar) {
+  const auto domain = load_domain(path("tests/data/pddl/qubits.pddl"));
+  ASSERT_TRUE(domain) << domain.error().message;
+  const auto problem = load_problem(path("tests/data/pddl/qubits-middle.pddl"), *domain);
+  ASSERT_TRUE(problem) << problem.error().message;
+  std::vector<Plan> told;
+  std::stop_source source;
+  SolveOptions options;
+  options.stop = source.get_token();
+  options.on_plan = [&](const Plan& plan) {
+    told.push_back(plan);
+    source.request_stop();
+  };
+  const auto plan = solve(*domain, *problem, options);
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().outcome, Outcome::kCancelled);
+  ASSERT_EQ(told.size(), 1u);
+  const auto valid = validate(*problem, told[0].actions);
+  ASSERT_TRUE(valid) << valid.error().message;
+  EXPECT_EQ(valid->cost, told[0].cost);
+  EXPECT_LT(told[0].lower_bound, told[0].cost);
+  EXPECT_FALSE(told[0].optimal);
+}
+
 TEST(Limits, AGoalWithTenThousandLiterals) {
   const auto domain = load_domain(path("config/domains/benchmark.pddl"));
   WorldState world{{"Robot", "Shelf_1"}, {}};
