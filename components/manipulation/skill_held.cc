@@ -31,6 +31,7 @@ Expected<Phases> HeldSkill::attempt(Workbench& bench, int number) {
   }
   const auto arm = bench.arm_holding(held_);
   if (!arm) return fail(Outcome::kMotionFailed, what_ + ": " + held_ + " is not in a hand");
+  only_prepared_ = false;
   auto phases = use(bench, *arm);
   const bool in_vain = !phases && phases.error().outcome == Outcome::kMotionFailed;
   if (!in_vain) return phases;

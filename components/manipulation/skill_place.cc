@@ -8,6 +8,7 @@
 namespace goalnet::manipulation {
 namespace {
 
+constexpr double kStepBack = 0.35;    // [m]
 constexpr double kAsideOfTap = 0.20;  // [m] room for what comes under it, and for the hand that holds that
 
 struct PlaceWay {
@@ -161,7 +162,25 @@ std::unique_ptr<Skill> PlaceSkill::make_room(const Workbench& bench, std::string
   return nullptr;
 }
 
+// Off what the robot stands before, arms tucked: between boards an arm has no way to the tray.
+Expected<Phases> PlaceSkill::step_back(Workbench& bench) {
+  stepped_back_ = true;
+  ReachSolution solution;
+  solution.drives = true;
+  solution.stand = bench.stand_of(bench.now());
+  solution.stand.x -= kStepBack * std::cos(solution.stand.yaw);
+  solution.stand.y -= kStepBack * std::sin(solution.stand.yaw);
+  Phases phases;
+  add_back_off(phases, bench);
+  add_go_to(phases, bench, solution);
+  failed_.clear();  // they failed there
+  only_prepared_ = true;
+  return phases;
+}
+
 Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
+  if (where_ == Where::kTray && !failed_.empty() && !stepped_back_ && !bench.supposes())
+    return step_back(bench);
   std::vector<const scene::Region*> origin;
   // What stood on the floor at the start is put down there.
   const bool on_floor = where_ == Where::kNearest && bench.scene().find_object(held_)->placement.on.empty();

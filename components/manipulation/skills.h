@@ -42,7 +42,7 @@ class GraspSkill : public Skill {
 class HeldSkill : public Skill {
  public:
   Expected<Phases> attempt(Workbench& bench, int number) final;
-  bool unfinished() const final { return takes_anew_ || moving_ != Moving::kNot; }
+  bool unfinished() const final { return takes_anew_ || moving_ != Moving::kNot || only_prepared_; }
 
  protected:
   // `what`: the action, for messages. `receiver`: the movable thing that it is done to; may be empty.
@@ -56,6 +56,7 @@ class HeldSkill : public Skill {
 
   const std::string what_, held_, receiver_;
   std::set<std::size_t> failed_;  // tags of ways that did not work
+  bool only_prepared_ = false;    // set by use(): what it returned makes room, and it wants to be asked again
 
  private:
   // Of something that is moved out of the way with the other hand.
@@ -87,8 +88,11 @@ class PlaceSkill : public HeldSkill {
   bool another_grip_may_help(const Workbench&) const override { return where_ == Where::kRegion; }
   std::unique_ptr<Skill> make_room(const Workbench& bench, std::string& occupant) const override;
 
+  Expected<Phases> step_back(Workbench& bench);
+
   Where where_;
   std::string region_;
+  bool stepped_back_ = false;
 };
 
 // turn-on / turn-off knob, open / close door: take hold of a part and move its joint.

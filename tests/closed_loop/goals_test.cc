@@ -50,6 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Contents, ByGoal,
     testing::Values(Case{"glass_and_mug_with_water", {"(state Glass_1 Water)", "(state Mug_1 Water)"}, 1},
+                    Case{"disc_from_between_boards_onto_the_tray", {"(Held Cd_1 Tray)"}, 1, "living_room"},
                     Case{"kettle_carried_with_ramen_in_it",
                          {"(On Kettle Sink)", "(state Kettle Water)", "(state Kettle Ramen)"},
                          1},
