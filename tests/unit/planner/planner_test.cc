@@ -132,6 +132,31 @@ TEST_F(Household, RefusalsSayWhy) {
   EXPECT_EQ(exclusive.outcome, Outcome::kNoPlan);
 }
 
+TEST_F(Household, WhatIsTooLargeGoesElsewhereOrNowhere) {
+  const Goal goal{{{"In", "Coke_1", "Fridge"}}, {}};
+  const auto opens = [&](const char* door) {
+    const auto plan = achieve(goal);
+    return plan && std::find(plan->actions.begin(), plan->actions.end(), Action{"open", {door}}) !=
+                       plan->actions.end();
+  };
+  for (const auto& [side, other_door] :
+       {std::pair{"FridgeLeft", "FridgeRightDoor"}, {"FridgeRight", "FridgeLeftDoor"}}) {
+    const WorldState before = world_;
+    world_.facts.insert({"Unfit", "Coke_1", side});
+    EXPECT_TRUE(opens(other_door)) << side;
+    EXPECT_EQ(misfit(goal, world_.facts), "");
+    world_ = before;
+  }
+  for (const char* place : {"Fridge", "FridgeLeft", "FridgeRight"})
+    world_.facts.insert({"Unfit", "Coke_1", place});
+  const auto plan = achieve(goal);
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().outcome, Outcome::kNoPlan);
+  EXPECT_THAT(misfit(goal, world_.facts), HasSubstr("Coke_1 does not fit into Fridge"));
+  EXPECT_THAT(misfit({{{"state", "Glass_1", "Ramen"}}, {}}, FactSet({{"Unfit", "Ramen_1", "Glass_1"}})),
+              HasSubstr("Ramen_1 does not fit into Glass_1"));
+}
+
 TEST_F(Household, PreconditionsAreNamed) {
   const auto problem = applicable(domain_, world_, {"grasp", {"Mug_1"}});
   ASSERT_FALSE(problem);
