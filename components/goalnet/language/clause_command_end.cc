@@ -39,11 +39,11 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
     clause.frame = Frame::kWash;  // "run the mug under the tap"
   // "the news is on channel 1, put it on"
   if (Clause* told = result_.clauses.empty() ? nullptr : &result_.clauses.back();
-      told != nullptr && told->mood == Mood::kStatement && told->frame == Frame::kChange &&
-      clause.has_particle("on") && clause.first(Role::kDirect) != nullptr) {
+      told != nullptr && (told->mood == Mood::kStatement || told->mood == Mood::kQuestion) &&
+      told->frame == Frame::kChange && clause.has_particle("on") && clause.first(Role::kDirect) != nullptr) {
     const NounPhrase& thing = *clause.first(Role::kDirect);
     if (thing.pronoun || (language_.hears_people() && lexicon_->is_name_of(thing.phrase, "tv")))
-      told->asked = true;
+      told->asked = told->wish = true, told->mood = Mood::kStatement;
     if (thing.pronoun) return i;
   }
   // "it goes on the shelf, put it back": there, wherever it stood

@@ -70,11 +70,38 @@ bool ClauseParser::begins_anew(std::size_t i, std::size_t next, std::size_t done
   return direct && phrase.role != Role::kExcept && comma && puts_nothing(clause.frame) && place_behind;
 }
 
+// What is said again in a word or two; `at` where it is none.
+std::size_t ClauseParser::short_again(std::size_t at, std::size_t end, Clause& clause) {
+  if (!language_.hears_people() || at + 1 >= end || clause.phrases.empty()) return at;
+  const std::string& word = words_[at];
+  NounPhrase& named = clause.phrases.front();
+  // "turn burner two off and three on"
+  if (number_word(word) > 0 && is_direction(words_[at + 1]) && named.number > 0 &&
+      !clause.particles.empty() && ends_here(at + 2, end)) {
+    Clause other = clause;
+    other.phrases = {named};
+    other.phrases.front().number = number_word(word);
+    other.particles = {words_[at + 1]}, other.words = {other.verb, words_[at + 1]};
+    add(std::move(clause));
+    clause = std::move(other);
+    return at + 2;
+  }
+  // "one book for me and one for my sister"
+  if (NounPhrase person; (word == "one" || word == "another") && words_[at + 1] == "for") {
+    const std::size_t done = reader_.read(at + 2, end, person);
+    if (done == at + 2 || !person.person) return at;
+    named.count = std::max(named.count, 1) + 1, named.plural = true;
+    return done;
+  }
+  return at;
+}
+
 // Reads on behind the join at `i`; `i` where the command ends here.
 std::size_t ClauseParser::listed(std::size_t i, std::size_t end, Clause& clause, Role& role, Where& where) {
   const std::size_t next = skip_joins(i, end);
   if (next < end && words_[next] == "not" && !opens_command(next + 1, end) && reader_.starts(next + 1, end))
     return next;
+  if (const std::size_t done = short_again(i + 1, end, clause); done != i + 1) return done;
   if (leaves_command(i, next, end, clause)) return i;
   if (NounPhrase with; language_.hears_people() && words_[next] == "with" && !clause.phrases.empty()) {
     const std::size_t done = reader_.read(next + 1, end, with);  // "..., with the beer beside it"

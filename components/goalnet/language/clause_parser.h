@@ -23,6 +23,7 @@ class ClauseParser {
   std::size_t end_command(Clause clause, std::size_t at, std::size_t end);
   std::size_t argument(std::size_t at, std::size_t end, Clause& clause, Role& role, Where& where);
   std::size_t listed(std::size_t at, std::size_t end, Clause& clause, Role& role, Where& where);
+  std::size_t short_again(std::size_t at, std::size_t end, Clause& clause);
   bool leaves_command(std::size_t at, std::size_t next, std::size_t end, const Clause& clause) const;
   bool begins_anew(std::size_t at, std::size_t next, std::size_t done, std::size_t end, const Clause& clause,
                    const NounPhrase& phrase, bool direct) const;
@@ -32,6 +33,7 @@ class ClauseParser {
   bool again(const Clause& fragment);
   bool says_nothing_here(std::size_t at, std::size_t end) const;
   std::size_t fragment(std::size_t at, std::size_t end);
+  std::size_t things_of_fragment(std::size_t at, std::size_t end, Clause& clause, NounPhrase& subject);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
   std::size_t condition(std::size_t at, std::size_t end);

@@ -219,6 +219,13 @@ std::size_t ClauseParser::question(std::size_t at, std::size_t end) {
     const bool place = done != i;
     if (!place) done = reader_.read(i, end, phrase);
     const bool first_thing = clause.first(Role::kDirect) == nullptr;
+    if (language_.hears_people() && done != i && phrase.phrase == "channel" && phrase.number > 0) {
+      clause.frame = Frame::kChange, clause.verb = "change";  // "is channel four any good? put it on"
+      phrase.role = Role::kDirect;
+      clause.phrases = {std::move(phrase)};
+      i = done;
+      continue;
+    }
     if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty() && (place || first_thing)) {
       // "is that my book on the table?": which book
       if (place && language_.hears_people() && !clause.phrases.empty() && language_.copula(words_[at]) &&

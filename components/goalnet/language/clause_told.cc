@@ -107,7 +107,14 @@ std::size_t ClauseParser::told(std::size_t at, std::size_t end) {
     return stop;
   }
   reader_.recall(trial.reader_);
-  for (Clause& clause : trial.result_.clauses) add(std::move(clause));
+  const bool placed = language_.hears_people() && !result_.clauses.empty() && result_.clauses.back().belongs;
+  for (Clause& clause : trial.result_.clauses) {
+    // "the salt goes on the counter, it has no business on the stove": that says why
+    if (placed && clause.verb == "take" && clause.first(Role::kSource) != nullptr &&
+        clause.phrases.front().pronoun)
+      continue;
+    add(std::move(clause));
+  }
   return std::max(done, at + 1);
 }
 

@@ -68,17 +68,6 @@ std::string FrameActions::take(const Clause& clause) {
   const bool there_or_which = clause.wish || clause.verb == "gather" || clause.verb == "collect" ||
                               (at_home_ && clause.verb == "get" && !clause.to_person);
   const NounPhrase* located_thing = clause.first(Role::kDirect);
-  // "give water in the kettle"
-  if (at_home_ && clause.verb == "give" && !clause.to_person && located_thing != nullptr &&
-      language_.content(located_thing->phrase) == kWater && !located_thing->at.empty()) {
-    Clause filled = clause;
-    filled.frame = Frame::kPlace, filled.verb = "put";
-    NounPhrase vessel = located_thing->at.front();
-    vessel.role = Role::kDestination;
-    for (NounPhrase& phrase : filled.phrases) phrase.at.clear();
-    filled.phrases.push_back(std::move(vessel));
-    return put(filled);
-  }
   if (at_home_ && clause.wish && located_thing != nullptr && located_thing->at.empty())
     for (const NounPhrase& phrase : clause.phrases)  // "I want the fork and the spoon in the sink"
       if (phrase.role == Role::kDirect && !phrase.at.empty()) located_thing = &phrase;
@@ -119,22 +108,8 @@ std::string FrameActions::take(const Clause& clause) {
     gathered.frame = Frame::kPlace, gathered.to_person = false;
     return put(gathered);
   }
-  // "the armchair has no pillow, give it the one from the shelf"
-  if (at_home_ && clause.verb == "give" && !clause.to_person && clause.phrases.size() >= 2 &&
-      clause.phrases[0].role == Role::kDirect && clause.phrases[1].role == Role::kDirect) {
-    const NounPhrase& receiver = clause.phrases[0];
-    const Objects places = receiver.pronoun  ? pronoun(receiver, Sort::kPlace, {})
-                           : receiver.bare() ? Objects{}
-                                             : resolver_.options(receiver, Sort::kPlace, now_);
-    if (!places.empty() && resolver_.class_of(places.front())->place) {
-      Clause placed = clause;
-      placed.phrases.erase(placed.phrases.begin());
-      placed.phrases.push_back(receiver);
-      placed.phrases.back().role = Role::kDestination, placed.phrases.back().where = Where::kOn;
-      placed.frame = Frame::kPlace, placed.verb = "put";
-      return put(placed);
-    }
-  }
+  if (clause.verb == "give")
+    if (const auto given = give(clause)) return *given;
   // "hold the glass under the water dispenser"
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       at_home_ && thing != nullptr && resolver_.exists(kFridgeButton) &&
@@ -152,38 +127,6 @@ std::string FrameActions::take(const Clause& clause) {
       std::erase_if(filled.phrases,
                     [](const NounPhrase& phrase) { return phrase.role == Role::kDestination; });
       return fill(filled);
-    }
-  }
-  // "give both plates a squirt of chocolate"
-  if (clause.verb == "give" && clause.phrases.size() == 2 && clause.phrases[0].role == Role::kDirect &&
-      clause.phrases[1].role == Role::kDirect && language_.content(clause.phrases[1].phrase) != kNone &&
-      !clause.phrases[0].bare() && !clause.phrases[0].pronoun) {
-    const auto dishes = resolver_.options(clause.phrases[0], Sort::kPlace, now_);
-    if (!dishes.empty() &&
-        (resolver_.is_vessel(dishes.front()) || resolver_.class_of(dishes.front())->dish)) {
-      Clause added = clause;
-      added.frame = Frame::kAdd, added.verb = "add";
-      added.phrases[0].role = Role::kDestination;
-      return add_to(added);
-    }
-  }
-  // "give the coffee a minute in the microwave"
-  if (const NounPhrase* thing = clause.first(Role::kDirect);
-      clause.verb == "give" && thing != nullptr && !thing->at.empty() && !thing->at.front().pronoun &&
-      !thing->at.front().bare()) {
-    const auto places = resolver_.options(thing->at.front(), Sort::kPlace, now_);
-    NounPhrase plain = *thing;
-    plain.at.clear();
-    const auto objects = plain.pronoun ? Objects{} : resolver_.options(plain, Sort::kMovable, now_);
-    const bool heats =
-        !places.empty() && (places.front() == kMicrowave || resolver_.is_of_class(places.front(), "burner"));
-    if (heats && !objects.empty() && resolver_.place_of(objects.front(), now_) != places.front()) {
-      Clause hot = clause;
-      NounPhrase place = thing->at.front();
-      place.role = Role::kDestination;
-      hot.phrases = {plain, place};
-      hot.frame = Frame::kHeat, hot.verb = "heat";
-      return heat(hot, false);
     }
   }
   // "the book, I would like it on the table"

@@ -142,9 +142,10 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
       }
     }
     // "tidy the sofa: book to the shelf, bowl to the counter": what comes behind says how
-    static constexpr std::array kTidies = {
-        "tidy"sv,      "clean"sv,   "clear"sv, "organise"sv, "organize"sv,  "sort"sv,  "straighten"sv,
-        "declutter"sv, "prepare"sv, "set"sv,   "arrange"sv,  "rearrange"sv, "ready"sv, "fix"sv};
+    static constexpr std::array kTidies = {"tidy"sv,     "clean"sv,     "clear"sv,      "organise"sv,
+                                           "organize"sv, "sort"sv,      "straighten"sv, "swap"sv,
+                                           "exchange"sv, "declutter"sv, "prepare"sv,    "set"sv,
+                                           "arrange"sv,  "rearrange"sv, "ready"sv,      "fix"sv};
     std::size_t stop = i + 1;
     while (stop < words.size() && words[stop] != ".") ++stop;
     const bool places =

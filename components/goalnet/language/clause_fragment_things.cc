@@ -1,0 +1,76 @@
+// The things that a request without a verb begins with: "plates and cups", "all the cups except the mug", "a
+// bowl of ice cream with syrup", "pillow from armchair 2".
+#include <algorithm>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+std::size_t ClauseParser::things_of_fragment(std::size_t at, std::size_t end, Clause& clause,
+                                             NounPhrase& subject) {
+  std::size_t i = reader_.read(at, end, subject);
+  clause.phrases = {subject};
+  for (std::size_t k = at; k < i; ++k) clause.words.push_back(words_[k]);
+  while (i < end && language_.joins(words_[i])) {  // "plates and cups in the sink"
+    NounPhrase more;
+    const std::size_t next = skip_joins(i, end), done = reader_.read(next, end, more);
+    if (done == next || starts_clause(next, end)) break;
+    if (done < end && subject.phrase == "channel" && (words_[done] == "up" || words_[done] == "down")) break;
+    if (const std::size_t again = short_again(i + 1, end, clause); again != i + 1) {
+      i = again;
+      continue;
+    }
+    more.alternative = words_[i] == "or";  // "coke or beer please"
+    clause.phrases.push_back(more);
+    i = done;
+  }
+  // "all the cups except the mug to the sink"
+  if (NounPhrase left_out;
+      language_.hears_people() && i < end && (words_[i] == "except" || words_[i] == "but")) {
+    const std::size_t from = i + 1 < end && words_[i + 1] == "for" ? i + 2 : i + 1;
+    const std::size_t done = reader_.read(from, end, left_out);
+    if (done != from && !left_out.person && !left_out.unknown && done < end &&
+        (place_preposition(words_[done]) || words_[done] == "off" || words_[done] == "from")) {
+      left_out.role = Role::kExcept;
+      clause.phrases.push_back(std::move(left_out));
+      i = done;
+    }
+  }
+  // "a bowl of ice cream with syrup please"
+  if (NounPhrase with;
+      language_.hears_people() && i < end && words_[i] == "with" &&
+      language_.content(subject.content.empty() ? subject.phrase : subject.content) != symbol::kNone) {
+    const std::size_t done = reader_.read(i + 1, end, with);
+    if (done != i + 1 && !with.person && !with.unknown && !with.pronoun) {
+      with.role = Role::kWith;
+      clause.phrases.push_back(std::move(with));
+      i = done;
+    }
+  }
+  while (i < end && words_[i] == "from") {  // "pillow from armchair 2 to the couch"
+    NounPhrase source;
+    const std::size_t done = reader_.read(i + 1, end, source, true);
+    if (done == i + 1 || source.person || source.unknown) break;
+    for (NounPhrase& phrase : clause.phrases) phrase.at.push_back(source);
+    i = done;
+  }
+  // "energy drink out of it and onto the counter"
+  if (i + 1 < end && (words_[i] == "from" || words_[i] == "out")) {
+    std::size_t k = words_[i + 1] == "of" ? i + 2 : i + 1;
+    NounPhrase source;
+    k = std::max(reader_.read(k, end, source, true), k);
+    if (k < end && words_[k] == "there") ++k;
+    while (k < end && language_.joins(words_[k])) ++k;
+    NounPhrase to;
+    if (reader_.read_place(k, end, to) != k && !to.person && !source.unknown && !source.person) {
+      if (!source.pronoun && !source.bare()) clause.phrases.front().at.push_back(source);
+      i = k;
+    }
+  }
+  return i;
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,73 @@
+// What is given to things and places instead of people: a pillow, a squirt of syrup, a minute in the
+// microwave.
+#include "components/goalnet/language/frame_actions.h"
+
+namespace goalnet::inference {
+
+using namespace symbol;
+
+// Nothing where somebody is given something.
+std::optional<std::string> FrameActions::give(const Clause& clause) {
+  // "give water in the kettle"
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  if (at_home_ && clause.verb == "give" && !clause.to_person && thing != nullptr &&
+      language_.content(thing->phrase) == kWater && !thing->at.empty()) {
+    Clause filled = clause;
+    filled.frame = Frame::kPlace, filled.verb = "put";
+    NounPhrase vessel = thing->at.front();
+    vessel.role = Role::kDestination;
+    for (NounPhrase& phrase : filled.phrases) phrase.at.clear();
+    filled.phrases.push_back(std::move(vessel));
+    return put(filled);
+  }
+  // "the armchair has no pillow, give it the one from the shelf"
+  if (at_home_ && clause.verb == "give" && !clause.to_person && clause.phrases.size() >= 2 &&
+      clause.phrases[0].role == Role::kDirect && clause.phrases[1].role == Role::kDirect) {
+    const NounPhrase& receiver = clause.phrases[0];
+    const Objects places = receiver.pronoun  ? pronoun(receiver, Sort::kPlace, {})
+                           : receiver.bare() ? Objects{}
+                                             : resolver_.options(receiver, Sort::kPlace, now_);
+    if (!places.empty() && resolver_.class_of(places.front())->place) {
+      Clause placed = clause;
+      placed.phrases.erase(placed.phrases.begin());
+      placed.phrases.push_back(receiver);
+      placed.phrases.back().role = Role::kDestination, placed.phrases.back().where = Where::kOn;
+      placed.frame = Frame::kPlace, placed.verb = "put";
+      return put(placed);
+    }
+  }
+  // "give both plates a squirt of chocolate"
+  if (clause.verb == "give" && clause.phrases.size() == 2 && clause.phrases[0].role == Role::kDirect &&
+      clause.phrases[1].role == Role::kDirect && language_.content(clause.phrases[1].phrase) != kNone &&
+      !clause.phrases[0].bare() && !clause.phrases[0].pronoun) {
+    const auto dishes = resolver_.options(clause.phrases[0], Sort::kPlace, now_);
+    if (!dishes.empty() &&
+        (resolver_.is_vessel(dishes.front()) || resolver_.class_of(dishes.front())->dish)) {
+      Clause added = clause;
+      added.frame = Frame::kAdd, added.verb = "add";
+      added.phrases[0].role = Role::kDestination;
+      return add_to(added);
+    }
+  }
+  // "give the coffee a minute in the microwave"
+  if (clause.verb == "give" && thing != nullptr && !thing->at.empty() && !thing->at.front().pronoun &&
+      !thing->at.front().bare()) {
+    const auto places = resolver_.options(thing->at.front(), Sort::kPlace, now_);
+    NounPhrase plain = *thing;
+    plain.at.clear();
+    const auto objects = plain.pronoun ? Objects{} : resolver_.options(plain, Sort::kMovable, now_);
+    const bool heats =
+        !places.empty() && (places.front() == kMicrowave || resolver_.is_of_class(places.front(), "burner"));
+    if (heats && !objects.empty() && resolver_.place_of(objects.front(), now_) != places.front()) {
+      Clause hot = clause;
+      NounPhrase place = thing->at.front();
+      place.role = Role::kDestination;
+      hot.phrases = {plain, place};
+      hot.frame = Frame::kHeat, hot.verb = "heat";
+      return heat(hot, false);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace goalnet::inference
