@@ -71,6 +71,7 @@ class Grounder {
   template <class Visit>
   void for_each_candidate(const Formula& inner, bool conjunction, std::int32_t slot, const Visit& visit);
   const std::vector<ObjectId>& objects_of(const TypeSet& types);
+  void sort(Growing<ConditionId>& conditions);
   Value instantiate_junction(bool conjunction, Growing<ConditionId>& children);
   Literal literal_for(const AtomPattern& pattern, bool negative);
   void need(ConditionId condition);

@@ -46,10 +46,33 @@ bool Grounder::instantiate(const Condition& condition, Growing<ConditionId>* res
   return true;
 }
 
+// There may be a million of them: in parts, so that it can be stopped. Junctions, numbered downwards, often
+// come in the opposite order.
+void Grounder::sort(Growing<ConditionId>& conditions) {
+  const auto not_below = [](ConditionId a, ConditionId b) { return a <= b; };
+  if (std::adjacent_find(conditions.begin(), conditions.end(), not_below) == conditions.end()) {
+    std::reverse(conditions.begin(), conditions.end());
+    return;
+  }
+  constexpr std::size_t kPart = 4096;
+  const std::size_t size = conditions.size();
+  const auto at = [&](std::size_t i) { return conditions.begin() + std::min(i, size); };
+  for (std::size_t begin = 0; begin < size && !stopped_; begin += kPart) {
+    std::sort(at(begin), at(begin + kPart));
+    stopped_ = budget_->check();
+  }
+  for (std::size_t part = kPart; part < size && !stopped_; part *= 2) {
+    for (std::size_t begin = 0; begin < size && !stopped_; begin += 2 * part) {
+      std::inplace_merge(at(begin), at(begin + part), at(begin + 2 * part));
+      stopped_ = budget_->check();
+    }
+  }
+}
+
 Grounder::Value Grounder::instantiate_junction(bool conjunction, Growing<ConditionId>& children) {
   const auto not_above = [](ConditionId a, ConditionId b) { return a >= b; };
   if (std::adjacent_find(children.begin(), children.end(), not_above) != children.end()) {  // rarely
-    std::sort(children.begin(), children.end());
+    sort(children);
     children.truncate(
         static_cast<std::size_t>(std::unique(children.begin(), children.end()) - children.begin()));
   }

@@ -82,7 +82,7 @@ class HashIndex {
     std::size_t used = 0;
     unsigned bits = 0;  // of the hash that all in here share
   };
-  static constexpr std::size_t kFewestSlots = 64, kMostSlots = std::size_t{1} << 14;
+  static constexpr std::size_t kFewestSlots = 64, kMostSlots = std::size_t{1} << 12;
   static constexpr unsigned kMostBits = 20;
 
   std::size_t place(std::uint64_t hash) const { return directory_[hash >> (64 - bits_)]; }
