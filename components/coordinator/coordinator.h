@@ -10,12 +10,10 @@
 //   every stage ── refusal, limit, fault, cancel ──► stopping (while the robot moves) ──► finished
 //
 // What a caller may rely on:
-// - Every instruction ends in exactly one report with finished = true and a typed outcome; kDone only if the
-// world was
-//   seen to hold the goal of every step.
+// - Every instruction ends in exactly one report with finished = true and a typed outcome; kDone only if
+//   the world was seen to hold the goal of every step.
 // - Before each action its preconditions are checked in a world state observed after the previous action;
-// after it,
-//   its effects. A difference leads to a new plan, at most max_replans times a step.
+//   after it, its effects. A difference leads to a new plan, at most max_replans times a step.
 // - A step that asks for the same goal in the same world as an earlier one ends the loop.
 //
 // Thread role: one thread calls everything; the Port is called back inside these calls.

@@ -26,9 +26,12 @@ namespace goalnet::world_model {
 // One thread. Feed it observations, then update(); the result depends on nothing else. It remembers the last
 // update (hysteresis, speeds). `scene` and `robot` must outlive it.
 //
-//   (On X Y)            stands on a surface or another object         (In X Y)   inside a container or hollow
-//   object (In X Fridge)       besides (In X FridgeLeft)                     (Near Robot X) (Grasping Robot
-//   X)  with (Held X LeftHand|RightHand|Tray)         (state X Value) (IsGraspable X), (IsSqueezeable X)
+//   (On X Y)             stands on a surface or another object
+//   (In X Y)             inside a container or hollow object; (In X Fridge) besides (In X FridgeLeft)
+//   (Near Robot X)
+//   (Grasping Robot X)   with (Held X LeftHand|RightHand|Tray)
+//   (state X Value)
+//   (IsGraspable X), (IsSqueezeable X)
 class WorldModel {
  public:
   WorldModel(const scene::Scene& scene, const robot::RobotModel& robot, Params params = {});
