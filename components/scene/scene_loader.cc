@@ -148,6 +148,10 @@ Expected<Scene> load_scene(const std::string& name_or_path) {
       for (const auto& entry : std::filesystem::directory_iterator(config_path("scenes"), ignored)) {
         if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
       }
+      if (names.empty())
+        return fail(Outcome::kInvalidRequest, config_path("scenes") +
+                                                  " holds no scenes; is the environment variable "
+                                                  "GOALNET_CONFIG_DIR right, or the installation complete?");
       std::sort(names.begin(), names.end());
       for (const auto& name : names) known += (known.empty() ? "" : ", ") + name;
       return fail(Outcome::kInvalidRequest, "unknown scene '" + name_or_path + "'; known: " + known +

@@ -190,6 +190,12 @@ TEST_F(Loader, MissingFilesAndUnknownScenes) {
   EXPECT_THAT(message, HasSubstr("kitchen"));
   EXPECT_THAT(refusal(with(kGood, "libraries: [things]", "libraries: [stuff]")),
               HasSubstr("stuff.yaml: cannot be opened"));
+
+  setenv("GOALNET_CONFIG_DIR", "/no/such/folder", 1);
+  const auto nowhere = load_scene("kitchen");
+  unsetenv("GOALNET_CONFIG_DIR");
+  ASSERT_FALSE(nowhere);
+  EXPECT_THAT(nowhere.error().message, HasSubstr("/no/such/folder/scenes holds no scenes"));
 }
 
 }  // namespace
