@@ -131,6 +131,15 @@ std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
       if (reader_.name_length(i) > 0) return at;
     return stop;  // "for dessert I want ..."
   }
+  if (word == "i" || word == "we") {  // "I wonder if the tv is on" asks
+    std::size_t k = at + 1;
+    if (words_[k] == "was" || words_[k] == "am" || words_[k] == "were" || words_[k] == "are") ++k;
+    if (k + 1 >= end || (words_[k] != "wonder" && words_[k] != "wondering") ||
+        (words_[k + 1] != "if" && words_[k + 1] != "whether"))
+      return at;
+    add_told(at, part_end(at, end));
+    return part_end(at, end);
+  }
   const bool enough =
       word == "enough" && part_end(at, end) < end;  // "enough chips for today, away with them"
   if (!enough && !(word == "no" ? one_of(words_[at + 1], kLacks) : gerund && one_of(words_[at + 1], kIs)))

@@ -72,6 +72,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
                                      [](const Clause& clause) { return clause.mood == Mood::kForbidden; });
     const bool only_asks = std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
                                        [](const Clause& clause) { return clause.mood == Mood::kQuestion; });
+    result.only_forbids = forbids;
     std::string problem =
         forbids     ? "the sentence forbids something but asks for nothing"
         : only_asks ? "questions cannot be answered; say what to do, for example \"bring me the mug\""

@@ -18,6 +18,7 @@ struct Understanding {
   std::vector<std::string> problems;  // why a clause was not: one sentence each
   bool unknown_thing = false;         // all of the problems: things that are not here; the rest was read
   bool for_later = false;             // a wish that nobody here keeps until then
+  bool only_forbids = false;          // "do not open the fridge"
   bool nothing_known = false;         // no verb, or nothing it could be about
 
   // How the reading came about; what the confidence is made of.

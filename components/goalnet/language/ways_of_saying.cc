@@ -95,6 +95,25 @@ void ask_politely(std::vector<std::string>& text, bool hears_people) {
   }
 }
 
+// "I was wondering whether the salt could go back": a request by its "could"; "I wonder if the tv is on"
+// asks.
+void drop_wondering(std::vector<std::string>& text) {
+  static constexpr std::array kWonder = {"wonder"sv, "wondering"sv, "wondered"sv, "hoping"sv, "thinking"sv};
+  static constexpr std::array kModals = {"could"sv, "can"sv, "might"sv, "may"sv, "should"sv};
+  for (std::size_t i = 0; i + 3 < text.size(); ++i) {
+    if (text[i] != "i" && text[i] != "we") continue;
+    std::size_t k = i + 1;
+    if (text[k] == "was" || text[k] == "am" || text[k] == "were" || text[k] == "are") ++k;
+    if (k + 2 >= text.size() || !one_of(text[k], kWonder)) continue;
+    if (text[k + 1] == "if" || text[k + 1] == "whether" || text[k + 1] == "that") ++k;
+    if (!one_of(text[k + 1], word_group::kArticles)) continue;
+    bool modal = false;
+    for (std::size_t m = k + 1; m < text.size() && text[m] != "." && text[m] != ","; ++m)
+      modal = modal || one_of(text[m], kModals);
+    if (modal) text.erase(text.begin() + static_cast<long>(i), text.begin() + static_cast<long>(k) + 1);
+  }
+}
+
 // "might I prevail upon you to bring me the beer": what is asked begins behind "you to".
 void drop_preambles(std::vector<std::string>& text, const Language& language) {
   constexpr std::size_t kFarthest = 12;
@@ -218,6 +237,7 @@ void say_plainly(std::vector<std::string>& text, const Language& language) {
   speak_for_others(text, language);
   repeat_numbered(text, language);
   ask_politely(text, language.hears_people());
+  if (language.hears_people()) drop_wondering(text);
   if (language.hears_people()) drop_preambles(text, language);
   be_so_good(text);
   name_tools(text);
