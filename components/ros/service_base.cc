@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostRequests = 1000;  // waiting in one server
 constexpr std::size_t kMostReplies = 1000;   // waiting for their client's reader
-constexpr auto kReplyPatience = std::chrono::seconds(2);
+constexpr auto kReplyPatience = std::chrono::seconds(10);
 constexpr auto kAcquaintance = std::chrono::milliseconds(150);  // half as long again as between heartbeats
 constexpr auto kLookAgain = std::chrono::milliseconds(5);
 constexpr auto kTimeoutResolution = std::chrono::milliseconds(20);
@@ -128,10 +128,9 @@ void ServiceServerBase::handle_one() {
   handler_(std::move(entry.request), entry.reply_to);
 }
 
-bool ServiceServerBase::can_be_answered(const ReplyTo& reply_to,
-                                        std::chrono::steady_clock::time_point since) {
+bool ServiceServerBase::can_be_answered(const ReplyTo& reply_to) {
   const Gid& client = reply_to.request.writer;
-  if (detail::from_cyclone(client)) return cyclone_can_be_answered(client, since);
+  if (detail::from_cyclone(client)) return cyclone_can_be_answered(client);
   return !is_reader(client) || replies_->matched_with(client);
 }
 
@@ -139,16 +138,17 @@ bool ServiceServerBase::can_be_answered(const ReplyTo& reply_to,
 // sends to a new reader. Cyclone DDS begins behind what the first heartbeat names, which is that very sample.
 // A client that asks us knows our writer; a heartbeat that it gets from then on and before the reply, which
 // names nothing new, lets it begin in time. They come periodically until it has answered one.
-bool ServiceServerBase::cyclone_can_be_answered(const Gid& client,
-                                                std::chrono::steady_clock::time_point since) {
-  if (acquainted_.contains(client)) return true;
-  const bool matched = participant_->cyclone_clients().can_be_answered(
-      client, [this](const Gid& reader) { return replies_->matched_with(reader); });
-  if (!matched) return false;
-  if (has_replied_ && std::chrono::steady_clock::now() - since < kAcquaintance) return false;
-  if (acquainted_.size() >= kMostRequests) acquainted_.clear();
-  acquainted_.insert(client);
-  return true;
+bool ServiceServerBase::cyclone_can_be_answered(const Gid& client) {
+  const auto now = std::chrono::steady_clock::now();
+  auto met = met_.find(client);
+  if (met == met_.end()) {
+    const bool matched = participant_->cyclone_clients().can_be_answered(
+        client, [this](const Gid& reader) { return replies_->matched_with(reader); });
+    if (!matched) return false;
+    if (met_.size() >= kMostRequests) met_.clear();
+    met = met_.emplace(client, has_replied_ ? now + kAcquaintance : now).first;
+  }
+  return now >= met->second;
 }
 
 void ServiceServerBase::send(const ReplyTo& reply_to, const void* response) {
@@ -164,17 +164,16 @@ void ServiceServerBase::send(const ReplyTo& reply_to, const void* response) {
 }
 
 void ServiceServerBase::reply(const ReplyTo& reply_to, std::shared_ptr<const void> response) {
-  const auto now = std::chrono::steady_clock::now();
-  if (can_be_answered(reply_to, now)) return send(reply_to, response.get());
+  if (can_be_answered(reply_to)) return send(reply_to, response.get());
   if (waiting_.size() >= kMostReplies) waiting_.pop_front();
-  waiting_.push_back({reply_to, std::move(response), now});
+  waiting_.push_back({reply_to, std::move(response), std::chrono::steady_clock::now()});
   flush_waiting();  // it may have matched in between
 }
 
 void ServiceServerBase::flush_waiting() {
   const auto now = std::chrono::steady_clock::now();
   std::erase_if(waiting_, [&](const Waiting& waiting) {
-    if (!can_be_answered(waiting.reply_to, waiting.since)) return now - waiting.since > kReplyPatience;
+    if (!can_be_answered(waiting.reply_to)) return now - waiting.since > kReplyPatience;
     send(waiting.reply_to, waiting.response.get());
     return true;
   });

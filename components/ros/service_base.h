@@ -10,7 +10,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -44,7 +43,7 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
   Expected<void> open(const std::shared_ptr<detail::Participant>& participant, const std::string& service,
                       const std::string& node, ServiceTypes types, const Qos& qos);
 
-  // Answers. A client whose reply reader is not matched yet gets its answer once it is, within two seconds.
+  // Answers. A client whose reply reader is not matched yet gets its answer once it is, within ten seconds.
   // `response` is kept until then.
   void reply(const ReplyTo& reply_to, std::shared_ptr<const void> response);
 
@@ -73,8 +72,8 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
   };
   void on_dropped(const std::string& why);
   void handle_one();
-  bool can_be_answered(const ReplyTo& reply_to, std::chrono::steady_clock::time_point since);
-  bool cyclone_can_be_answered(const Gid& client, std::chrono::steady_clock::time_point since);
+  bool can_be_answered(const ReplyTo& reply_to);
+  bool cyclone_can_be_answered(const Gid& client);
   void send(const ReplyTo& reply_to, const void* response);
   void flush_waiting();
 
@@ -89,7 +88,8 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
   std::uint64_t dropped_ = 0;
   std::deque<Waiting> waiting_;
   bool has_replied_ = false;
-  std::set<Gid> acquainted_;  // clients of rmw_cyclonedds that have begun to follow our replies
+  // Clients of rmw_cyclonedds whose reply readers were matched, and from when on they may be answered.
+  std::map<Gid, std::chrono::steady_clock::time_point> met_;
   Clock wall_;
   std::shared_ptr<Timer> look_again_;  // active while anything is waiting
   std::shared_ptr<Writer> replies_;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "components/ros/detail/cyclone_service.h"
 #include "components/ros/detail/message_type.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -22,6 +23,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 2) return 0;
   const auto& support = *kTypes[(data[0] | data[1] << 8) % kTypes.size()];
   const std::span<const std::uint8_t> payload(data + 2, size - 2);
+  // As a server reads a request of rmw_cyclonedds: what is taken out, put back in, is the same.
+  const std::vector<std::uint8_t> whole(payload.begin(), payload.end());
+  auto without = whole;
+  if (const auto header = ros::detail::take_cyclone_header(without)) {
+    if (payload[1] != 0 && ros::detail::with_cyclone_header(without, *header) != whole) std::abort();
+  } else if (without != whole || payload.size() >= 20) {
+    std::abort();
+  }
   const auto& layout = ros::detail::layout_of(support);
   const std::shared_ptr<void> message(support.create(), support.destroy);
   const bool good = layout.check(payload) == nullptr;
