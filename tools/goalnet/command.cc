@@ -59,16 +59,18 @@ int unknown_command(std::span<const Command> commands, std::string_view name) {
   return kUsageError;
 }
 
-int become(const Command& command, int argc, char** argv) {
-  const std::string path = program_folder() + "/" + std::string(command.program);
-  std::vector<char*> arguments(argv, argv + argc);
+}  // namespace
+
+int become(std::string_view program, std::string_view command, int argc, char** argv) {
+  const std::string path = program_folder() + "/" + std::string(program);
+  std::string goalnet = "goalnet", name(command);
+  std::vector<char*> arguments = {goalnet.data(), name.data()};
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
   arguments.push_back(nullptr);
   execv(path.c_str(), arguments.data());
-  std::fprintf(stderr, "goalnet %s: cannot start %s: %s\n", argv[1], path.c_str(), std::strerror(errno));
+  std::fprintf(stderr, "goalnet %s: cannot start %s: %s\n", name.c_str(), path.c_str(), std::strerror(errno));
   return static_cast<int>(Outcome::kInternal);
 }
-
-}  // namespace
 
 int dispatch(std::span<const Command> commands, std::string_view usage, int argc, char** argv) {
   const std::string_view name = argc > 1 ? argv[1] : "";
@@ -87,7 +89,7 @@ int dispatch(std::span<const Command> commands, std::string_view usage, int argc
   const auto command = std::find_if(commands.begin(), commands.end(),
                                     [name](const Command& candidate) { return candidate.name == name; });
   if (command == commands.end()) return unknown_command(commands, name);
-  if (command->function == nullptr) return become(*command, argc, argv);
+  if (command->function == nullptr) return become(command->program, name, argc - 1, argv + 1);
   std::string called = "goalnet " + std::string(name);
   std::vector<char*> arguments(argv + 1, argv + argc);
   arguments[0] = called.data();

@@ -21,6 +21,10 @@ struct Command {
   std::string_view program = {};       // in this program beside us
 };
 
+// Becomes the program beside us that has the rest of a command: argv as a CommandFunction has it. Returns
+// only if it cannot be started: the exit code.
+int become(std::string_view program, std::string_view command, int argc, char** argv);
+
 // Calls argv[1]'s command with the remaining arguments. Prints `usage` for --help (exit 0) and a message with
 // the nearest name for an unknown command (exit 13).
 int dispatch(std::span<const Command> commands, std::string_view usage, int argc, char** argv);

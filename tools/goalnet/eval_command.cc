@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 
 #include "components/core/config_path.h"
 #include "components/goalnet/evaluation.h"
+#include "tools/goalnet/command.h"
 #include "tools/goalnet/command_line.h"
 #include "tools/goalnet/cross_validate.h"
 
@@ -31,14 +33,18 @@ nlohmann::json to_json(const Scores& scores) {
 }  // namespace
 
 int eval_command(int argc, char** argv) {
+  // Physics lives in another program, with options of its own.
+  if (std::find(argv + 1, argv + argc, std::string_view("--physics")) != argv + argc)
+    return become("goalnet-robot", "eval", argc, argv);
   CLI::App app("Scores a goal model on a folder of demonstrations.", "goalnet eval");
   std::string folder, model = config_path("models/goalnet.safetensors"), grounding = "given", runs;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-  bool json = false, physics = false, perturbed = false;
+  bool json = false, perturbed = false;
   app.footer(
       "Examples:\n"
       "  goalnet eval demonstrations --grounding none --runs runs.jsonl\n"
-      "  goalnet eval demonstrations --cross-validate scenario --fold-seed 7 --json");
+      "  goalnet eval demonstrations --cross-validate scenario --fold-seed 7 --json\n"
+      "  goalnet eval demonstrations --physics --limit 20");
   app.add_option("DIR", folder, "folder of demonstrations (*.json)")->required();
   app.add_option("--model", model, "model file")->capture_default_str();
   app.add_option("--grounding", grounding,
@@ -48,7 +54,8 @@ int eval_command(int argc, char** argv) {
   app.add_option("--runs", runs, "write every run to this file, one JSON object a line (for score.py)");
   app.add_option("--threads", threads, "worker threads")->check(CLI::Range(1u, 256u))->capture_default_str();
   app.add_flag("--include-perturbed", perturbed, "score the randomly perturbed a_* files too");
-  app.add_flag("--physics", physics, "score in the physical simulation (not offered by this program yet)");
+  app.add_flag("--physics")
+      ->description("carry them out in the simulated room instead (--physics --help tells more)");
   app.add_flag("--json", json, "print one JSON object");
   CrossValidateRequest validation;
   std::string by;
@@ -64,9 +71,6 @@ int eval_command(int argc, char** argv) {
       ->capture_default_str();
   if (const auto code = parse_or_tell(app, argc, argv)) return *code;
   const auto report = [&](const Error& error) { return tell(app.get_name(), error, json); };
-  if (physics)
-    return report(
-        {Outcome::kInvalidRequest, "--physics is not available; use goalnet run for single instructions"});
 
   if (!by.empty()) {
     validation.folder = folder, validation.by = by, validation.grounding = grounding, validation.runs = runs;

@@ -3,6 +3,7 @@
 #include "tools/bench/bench_command.h"
 #include "tools/goalnet/command.h"
 #include "tools/goalnet/component_command.h"
+#include "tools/goalnet/eval_physics_command.h"
 #include "tools/goalnet/launch/launch_command.h"
 #include "tools/goalnet/record_command.h"
 #include "tools/goalnet/replay_command.h"
@@ -17,6 +18,7 @@ constexpr Command kCommands[] = {
     {"launch", "start, watch and restart components", launch_command},
     {"record", "record topics into a bag", record_command},
     {"replay", "publish what a bag holds", replay_command},
+    {"eval", "let the simulated robot carry out recorded instructions (--physics)", eval_physics_command},
     {"bench", "measure speed", bench_command},
 };
 
