@@ -28,6 +28,7 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
     if (same && there != nullptr)
       clause.phrases.push_back(*there), clause.frame = before.frame, clause.verb = before.verb;
   }
+  behind_what_was_taken(clause);
   // "make the tap off", "make the sound away"
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       language_.hears_people() && clause.frame == Frame::kMake && thing != nullptr) {
@@ -68,6 +69,10 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
       (clause.frame == Frame::kClose || clause.frame == Frame::kOpen || clause.frame == Frame::kPlace ||
        clause.frame == Frame::kTake || clause.frame == Frame::kBring))
     clause.weak = true;
+  // "let us tidy up, the beer goes on the counter"
+  if (language_.hears_people() && clause.verb == "tidy" && clause.phrases.empty() &&
+      (i >= end || words_[i] == ","))
+    clause.weak = true;
   // "I need a break, turn on the tv"
   if (clause.wish && (i >= end || words_[i] == ","))
     clause.weak =
@@ -75,6 +80,35 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
                                    [](const NounPhrase& phrase) { return phrase.unknown || phrase.bare(); });
   add(std::move(clause));
   return i;
+}
+
+// "take the drink from the fridge and put on counter": a place to put it, no thing.
+void ClauseParser::behind_what_was_taken(Clause& clause) const {
+  if (!language_.hears_people() || clause.mood != Mood::kCommand || clause.frame != Frame::kPlace ||
+      clause.phrases.empty() || result_.clauses.empty())
+    return;
+  const Clause& before = result_.clauses.back();
+  const NounPhrase* taken = before.first(Role::kDirect);
+  if (before.mood != Mood::kCommand || taken == nullptr || taken->unknown || taken->person) return;
+  if (before.frame != Frame::kTake && before.frame != Frame::kBring) return;
+  NounPhrase& place = clause.phrases.front();
+  if (clause.phrases.size() == 1 && place.role == Role::kDirect && !clause.particles.empty() &&
+      (clause.particles.front() == "on" || clause.particles.front() == "in") &&
+      lexicon_->is_place_name(place.phrase) && !language_.tv_word(place.phrase)) {
+    place.role = Role::kDestination;
+    place.where = clause.particles.front() == "on" ? Where::kOn : Where::kIn;
+    clause.particles.clear();
+  }
+  const NounPhrase* there = clause.first(Role::kDestination);
+  if (there == nullptr || !lexicon_->is_place_name(there->phrase) || clause.first(Role::kDirect) != nullptr)
+    return;
+  const bool several =
+      taken->plural || taken->count > 1 || taken->all ||
+      std::count_if(before.phrases.begin(), before.phrases.end(),
+                    [](const NounPhrase& phrase) { return phrase.role == Role::kDirect; }) > 1;
+  NounPhrase it;
+  it.pronoun = true, it.plural = several, it.word = several ? "them" : "it";
+  clause.phrases.insert(clause.phrases.begin(), std::move(it));
 }
 
 }  // namespace goalnet::inference

@@ -38,6 +38,11 @@ bool ClauseParser::leaves_command(std::size_t i, std::size_t next, std::size_t e
     const std::size_t done = reader_.read(next, end, thing);  // "play, xbox on the coffee table"
     if (done != next && reader_.read_place(done, end, there) != done) return true;
   }
+  if (NounPhrase thing, there; comma) {  // "tidy up: the pillow on the shelf goes on the couch"
+    const std::size_t done = reader_.read(next, end, thing);
+    const std::size_t placed = reader_.read_place(done, end, there);
+    if (done != next && placed < end && one_of(words_[placed], kDesire)) return true;
+  }
   if (number_word(words_[next]) > 0 && next + 1 < end && language_.copula(words_[next + 1]))
     return true;  // "burner two, three is broken"
   return comma && clause.verb == "leave" && words_[next - 1] == "but";

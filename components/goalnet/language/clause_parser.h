@@ -49,6 +49,8 @@ class ClauseParser {
   std::size_t wish_to(std::size_t at, std::size_t end);
   // Parts that ask for nothing: "my back is killing me", "bedtime, kids". They return `at` where it is none.
   std::size_t told(std::size_t at, std::size_t end);
+  std::size_t does_not_know(std::size_t at, std::size_t end);
+  void behind_what_was_taken(Clause& clause) const;
   std::size_t idle(std::size_t at, std::size_t end);
   // "no wait, the fork": mends the command before it.
   std::size_t correction(std::size_t at, std::size_t end);

@@ -167,6 +167,17 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
     phrase.at.push_back(place);
     done = after;
   }
+  // "the cushion on armchair 1 and the one on armchair 2, swap them"
+  while (language_.hears_people() && !phrase.at.empty() && done < end && words_[done] == "and") {
+    NounPhrase other, there;
+    const std::size_t named = reader_.read(done + 1, end, other);
+    const std::size_t after = named == done + 1 ? named : reader_.read_place(named, end, there);
+    if (named == done + 1 || other.pronoun || other.unknown || other.person || after >= end) break;
+    if (after != named) other.at.push_back(there);
+    if (other.at.empty() || (words_[after] != "," && words_[after] != "and")) break;
+    more.push_back(std::move(other));
+    done = after;
+  }
   // "spoon in the bowl, put it ...": that is a request of its own
   const bool definite = one_of(words_[at], kArticles) || one_of(words_[at], kPointers) || phrase.everything;
   // "the beer's empty, toss it", "kettle's already full, boil it"

@@ -97,7 +97,10 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
         if (result_.clauses.size() > count) insert_before_ = count;
         return done;
       }
-      if (word != "before" && !leading) insert_before_ = count - 1;  // "A after B": B first
+      // "fill the kettle and after you put it on the stove": afterwards
+      const bool afterwards = language_.hears_people() && word == "after" && at > 0 &&
+                              words_[at - 1] == "and" && skip_part(at, end) == end;
+      if (word != "before" && !leading && !afterwards) insert_before_ = count - 1;  // "A after B": B first
       return command(verb, end, Mood::kCommand);
     }
     if (word == "before" || word == "after") return verb >= end ? verb : part_end(at, end);

@@ -118,6 +118,23 @@ std::size_t ClauseParser::told(std::size_t at, std::size_t end) {
   return std::max(done, at + 1);
 }
 
+// "I can't remember if I switched the stove off": says what is not known, and asks for nothing.
+std::size_t ClauseParser::does_not_know(std::size_t at, std::size_t end) {
+  static constexpr std::array kKnows = {"remember"sv, "recall"sv, "know"sv, "sure"sv,
+                                        "certain"sv,  "tell"sv,   "say"sv,  "think"sv};
+  const std::size_t stop = part_end(at, end);
+  bool denied = false;
+  for (std::size_t i = at + 1; i + 1 < stop; ++i) {
+    denied = denied || words_[i] == "not" || words_[i] == "never" || words_[i] == "hardly";
+    const bool asks = words_[i + 1] == "if" || words_[i + 1] == "whether";
+    if (!asks) continue;
+    if (!(denied && one_of(words_[i], kKnows)) && words_[i] != "forget" && words_[i] != "forgot") return at;
+    add_told(at, stop);
+    return stop;
+  }
+  return at;
+}
+
 // "no time to tidy, ...", "sitting is agony, ...": begins as requests do, but is none.
 std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
   static constexpr std::array kLacks = {"time"sv,   "point"sv,  "use"sv, "sense"sv,
@@ -132,6 +149,7 @@ std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
     return stop;  // "for dessert I want ..."
   }
   if (word == "i" || word == "we") {  // "I wonder if the tv is on" asks
+    if (const std::size_t stop = does_not_know(at, end); stop != at) return stop;
     std::size_t k = at + 1;
     if (words_[k] == "was" || words_[k] == "am" || words_[k] == "were" || words_[k] == "are") ++k;
     if (k + 1 >= end || (words_[k] != "wonder" && words_[k] != "wondering") ||

@@ -51,6 +51,7 @@ std::optional<bool> FrameActions::is_so(Symbol object, const std::string& state)
                                              : now_.is(object, kIsOpen);
     return open == (state == "open");
   }
+  if (at_home_ && state == "muted" && resolver_.is_of_class(object, "tv")) return !now_.is(object, kVolume);
   if (at_home_ && resolver_.is_vessel(object) && (state == "full" || state == "filled" || state == "empty")) {
     bool full = false;
     for (Symbol content = kWater; content <= kEgg; ++content) full = full || now_.is(object, content);

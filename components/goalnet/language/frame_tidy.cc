@@ -59,8 +59,10 @@ std::string FrameActions::swap(const Clause& clause) {
   Objects two;
   const NounPhrase* thing = clause.first(Role::kDirect);
   for (const NounPhrase& phrase : clause.phrases) {
-    if (phrase.role == Role::kDestination &&
-        thing != nullptr) {  // "the pillows on armchair 1 and armchair 3"
+    if (at_home_ && phrase.role == Role::kDestination && phrase.joined && !lexicon_place(phrase)) {
+      thing = &phrase;  // "the pillow on armchair 1 and the one on armchair 3"
+    } else if (phrase.role == Role::kDestination &&
+               thing != nullptr) {  // "the pillows on armchair 1 and armchair 3"
       NounPhrase one = *thing;
       one.plural = false, one.count = 0, one.all = false;
       one.at = {phrase};

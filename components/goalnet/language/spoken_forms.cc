@@ -73,28 +73,20 @@ void expand_contractions(std::vector<std::string>& words, const Language& langua
     words[i] = "it";
     words.insert(words.begin() + static_cast<long>(i) + 1, "is");
   }
-  static constexpr std::array<std::array<std::string_view, 3>, 18> kForms = {{{"im", "i", "am"},
-                                                                              {"ive", "i", "have"},
-                                                                              {"id", "i", "would"},
-                                                                              {"youre", "you", "are"},
-                                                                              {"youve", "you", "have"},
-                                                                              {"youd", "you", "would"},
-                                                                              {"theyre", "they", "are"},
-                                                                              {"theyve", "they", "have"},
-                                                                              {"weve", "we", "have"},
-                                                                              {"itd", "it", "would"},
-                                                                              {"itll", "it", "will"},
-                                                                              {"thatd", "that", "would"},
-                                                                              {"thatll", "that", "will"},
-                                                                              {"hes", "he", "is"},
-                                                                              {"shes", "she", "is"},
-                                                                              {"thats", "that", "is"},
-                                                                              {"theres", "there", "is"},
-                                                                              {"whats", "what", "is"}}};
+  static constexpr std::array<std::array<std::string_view, 3>, 21> kForms = {
+      {{"im", "i", "am"},          {"ive", "i", "have"},       {"id", "i", "would"},
+       {"youre", "you", "are"},    {"youve", "you", "have"},   {"youd", "you", "would"},
+       {"theyre", "they", "are"},  {"theyve", "they", "have"}, {"weve", "we", "have"},
+       {"wed", "we", "would"},     {"theyd", "they", "would"}, {"youll", "you", "will"},
+       {"itd", "it", "would"},     {"itll", "it", "will"},     {"thatd", "that", "would"},
+       {"thatll", "that", "will"}, {"hes", "he", "is"},        {"shes", "she", "is"},
+       {"thats", "that", "is"},    {"theres", "there", "is"},  {"whats", "what", "is"}}};
+  static constexpr std::array kBeforeDays = {"on"sv, "next"sv, "every"sv, "by"sv, "until"sv};
   std::vector<std::string> whole;
   for (const std::string& word : words) {
     const auto form = std::find_if(kForms.begin(), kForms.end(), [&](const auto& f) { return f[0] == word; });
-    if (form == kForms.end()) {
+    const bool day = word == "wed" && !whole.empty() && one_of(whole.back(), kBeforeDays);
+    if (form == kForms.end() || day) {
       whole.push_back(word);
       continue;
     }
@@ -102,72 +94,6 @@ void expand_contractions(std::vector<std::string>& words, const Language& langua
     whole.emplace_back(form->at(2));
   }
   words = std::move(whole);
-}
-
-void resolve_headings(std::vector<std::string>& words, const Language& language) {
-  constexpr std::size_t kLongestHeading = 5;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] != ":") continue;
-    std::size_t begin = i;
-    while (begin > 0 && !ends_part(words, begin - 1)) --begin;
-    bool says_something = false;
-    for (std::size_t k = begin; k < i; ++k)
-      says_something = says_something || language.meaningful(words[k]) ||
-                       language.meaningful(singular(words[k])) || number_word(words[k]) > 0 ||
-                       language.asks(words[k]) || language.wanted_by_state(words[k]) != Frame::kNone;
-    const bool at_start = begin == 0 || words[begin - 1] == ".";
-    // "snack table: chips + bowl": that is where they go
-    std::string heading;
-    for (std::size_t k = begin; k < i; ++k) heading += (k > begin ? " " : "") + words[k];
-    if (at_start && language.names_place(heading)) {
-      std::size_t things_end = i + 1;
-      bool only_things = i + 1 < words.size();
-      for (; things_end < words.size() && words[things_end] != "."; ++things_end) {
-        const std::string& word = words[things_end];
-        only_things = only_things && word != ":" && word != "off" && !place_preposition(word) &&
-                      (language.verb(word) == Frame::kNone || language.names_something(singular(word))) &&
-                      language.wanted_by_state(word) == Frame::kNone;
-      }
-      if (only_things && things_end > i + 1) {
-        std::vector<std::string> said = {"put"};
-        said.insert(said.end(), words.begin() + static_cast<long>(i) + 1,
-                    words.begin() + static_cast<long>(things_end));
-        said.insert(said.end(), {"to", "the"});
-        said.insert(said.end(), words.begin() + static_cast<long>(begin),
-                    words.begin() + static_cast<long>(i));
-        words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(things_end));
-        words.insert(words.begin() + static_cast<long>(begin), said.begin(), said.end());
-        i = begin + said.size() - 1;
-        continue;
-      }
-    }
-    // "tidy the sofa: book to the shelf, bowl to the counter": what comes behind says how
-    static constexpr std::array kTidies = {"tidy"sv,     "clean"sv,     "clear"sv,      "organise"sv,
-                                           "organize"sv, "sort"sv,      "straighten"sv, "swap"sv,
-                                           "exchange"sv, "declutter"sv, "prepare"sv,    "set"sv,
-                                           "arrange"sv,  "rearrange"sv, "ready"sv,      "fix"sv};
-    std::size_t stop = i + 1;
-    while (stop < words.size() && words[stop] != ".") ++stop;
-    const bool places =
-        std::any_of(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(stop),
-                    [](const std::string& w) {
-                      return w == "to" || w == "on" || w == "in" || w == "into" || w == "onto";
-                    });
-    if (at_start && i > begin && one_of(words[begin], kTidies) && places) {
-      words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
-      i = begin;
-      continue;
-    }
-    if (at_start && i > begin && i - begin <= kLongestHeading && !says_something) {
-      words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
-      i = begin;
-    } else if (at_start && i == begin + 1 && language.verb(words[begin]) != Frame::kNone &&
-               !language.participle(words[begin])) {
-      words.erase(words.begin() + static_cast<long>(i));
-    } else {
-      words[i] = ",";
-    }
-  }
 }
 
 void drop_thrown_in(std::vector<std::string>& words, const Language& language) {

@@ -23,6 +23,9 @@ void needs_first(std::vector<std::string>& words);
 void no_places(std::vector<std::string>& words);
 // "not the coke, the beer" -> "wish the beer".
 void not_but(std::vector<std::string>& words);
+// "I read the one on the shelf, bring me that book" -> "I read the book on the shelf, bring me the book on
+// the shelf".
+void name_the_one(std::vector<std::string>& words, const Language& language);
 // "on the coffee table, snack table I mean" -> "on the coffee table, correction snack table".
 void afterthoughts_first(std::vector<std::string>& words);
 // ", ," and ", ." where something between fell away.

@@ -32,12 +32,13 @@ void drop_intensifiers(std::vector<std::string>& text) {
 }
 
 // "the mug and the cups all need to go in the sink"
-void drop_distributive(std::vector<std::string>& text) {
+void drop_distributive(std::vector<std::string>& text, bool hears_people) {
   static constexpr std::array kBefore = {"need"sv,   "needs"sv, "belong"sv, "belongs"sv,
                                          "should"sv, "must"sv,  "ought"sv};
   for (std::size_t i = 1; i + 1 < text.size(); ++i)
     if ((text[i] == "all" || text[i] == "both" || text[i] == "each") && text[i - 1] != "," &&
-        text[i - 1] != "." && text[i - 1] != "and" && one_of(text[i + 1], kBefore))
+        text[i - 1] != "." && text[i - 1] != "and" &&
+        (one_of(text[i + 1], kBefore) || (hears_people && text[i + 1] == "go")))
       text.erase(text.begin() + static_cast<long>(i));
 }
 
@@ -233,7 +234,7 @@ void speak_for_others(std::vector<std::string>& text, const Language& language) 
 void say_plainly(std::vector<std::string>& text, const Language& language) {
   split_were(text);
   drop_intensifiers(text);
-  drop_distributive(text);
+  drop_distributive(text, language.hears_people());
   speak_for_others(text, language);
   repeat_numbered(text, language);
   ask_politely(text, language.hears_people());

@@ -114,6 +114,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     no_places(text);
     afterthoughts_first(text);
     not_but(text);
+    name_the_one(text, language);
   }
   say_plainly(text, language);
   // Rules may speak of where a sentence begins and ends.
