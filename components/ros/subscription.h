@@ -16,7 +16,7 @@
 namespace goalnet::ros {
 
 struct SubscribeOptions {
-  // Call back at once in the thread that delivers, instead of in the event loop: for cancel flags only.
+  // Call back at once in the thread that delivers, not in the event loop: what is called may not wait.
   bool immediate = false;
 };
 

@@ -83,6 +83,7 @@ TEST_F(BadInput, EveryCommandRefusesAsJson) {
                                                        {"plan", "/no/such.pddl", "/no/such.pddl"},
                                                        {"plan", "--no-such-option"},
                                                        {"eval", "/no/such/folder"},
+                                                       {"eval", "/no/such/folder", "--physics"},
                                                        {"train", "/no/such/folder", "-o", state},
                                                        {"bench", "no-such-benchmark"}};
   for (std::vector<std::string> words : cases) {

@@ -3,34 +3,18 @@
  *   cyclone_peer write DOMAIN SECONDS     publishes std_msgs/String on /instruction, ten times a second
  *   cyclone_peer churn DOMAIN SECONDS     readers and writers on our topics, silent, then a clean exit
  */
+#define _GNU_SOURCE
 #include <dds/dds.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "cyclone_topic.h"
 #include "goalnet_msgs.h"
 #include "rcl_interfaces.h"
 #include "sensor_msgs.h"
 #include "std_msgs.h"
-
-static void check(dds_return_t code, const char* what) {
-  if (code < 0) {
-    fprintf(stderr, "cyclone_peer: %s: %s\n", what, dds_strretcode(-code));
-    exit(2);
-  }
-}
-
-/* idlc knows nothing of ROS 2's names for types: the same layout under the name that ROS 2 uses. */
-static dds_entity_t topic(dds_entity_t participant, const dds_topic_descriptor_t* type, const char* ros_type,
-                          const char* name) {
-  dds_topic_descriptor_t* renamed = malloc(sizeof *renamed); /* lives as long as the process */
-  memcpy(renamed, type, sizeof *renamed);
-  *(const char**)&renamed->m_typename = ros_type;
-  const dds_entity_t made = dds_create_topic(participant, renamed, name, NULL, NULL);
-  check(made, name);
-  return made;
-}
 
 static dds_qos_t* qos(int reliable, int transient_local, int depth) {
   dds_qos_t* made = dds_create_qos();

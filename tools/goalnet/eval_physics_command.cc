@@ -18,28 +18,28 @@ using namespace goalnet::inference;
 
 struct Totals {
   Scores sum;
-  std::size_t arranged = 0, done = 0, refused = 0, limits = 0, faults = 0;
+  std::size_t arranged = 0;
   double sim_seconds = 0;
-  std::map<std::string, std::size_t> outcomes;
+  std::map<Outcome, std::size_t> outcomes;
 };
 
 void add(Totals& totals, const PhysicsRun& run) {
   totals.sum += run.run.scores;
   totals.arranged += run.not_arranged.empty();
   totals.sim_seconds += run.sim_seconds;
-  ++totals.outcomes[std::string(to_string(run.outcome))];
-  const int block = static_cast<int>(run.outcome) / 10;
-  ++(block == 0 ? totals.done : block == 1 ? totals.refused : block == 2 ? totals.limits : totals.faults);
+  ++totals.outcomes[run.outcome];
 }
 
 void print(const Totals& totals, std::size_t count, double seconds, bool json) {
   const Scores mean = totals.sum / static_cast<double>(count);
   if (json) {
+    nlohmann::ordered_json outcomes = nlohmann::ordered_json::object();
+    for (const auto& [outcome, runs] : totals.outcomes) outcomes[std::string(to_string(outcome))] = runs;
     nlohmann::ordered_json object = {{"count", count},
                                      {"grounding", "none"},
                                      {"physics", true},
                                      {"arranged", totals.arranged},
-                                     {"outcomes", totals.outcomes},
+                                     {"outcomes", outcomes},
                                      {"sji", mean.sji},
                                      {"ied", mean.ied},
                                      {"f1", mean.f1},
@@ -55,8 +55,10 @@ void print(const Totals& totals, std::size_t count, double seconds, bool json) {
   std::printf(
       "%zu demonstrations in physics, %zu of them from just the recorded start; %.0f s simulated in %.0f s\n",
       count, totals.arranged, totals.sim_seconds, seconds);
-  std::printf("%zu done, %zu refused, %zu at a limit, %zu faults\n", totals.done, totals.refused,
-              totals.limits, totals.faults);
+  std::size_t blocks[4] = {};  // done, refused, limit, fault
+  for (const auto& [outcome, runs] : totals.outcomes) blocks[static_cast<int>(outcome) / 10] += runs;
+  std::printf("%zu done, %zu refused, %zu at a limit, %zu faults\n", blocks[0], blocks[1], blocks[2],
+              blocks[3]);
   std::printf("SJI %.3f  IED %.3f  F1 %.3f  GRR %.3f   (grr_formula %.3f, exact %.3f, ied_canonical %.3f)\n",
               mean.sji, mean.ied, mean.f1, mean.grr, mean.grr_formula, mean.exact, mean.ied_canonical);
 }
@@ -67,7 +69,7 @@ int eval_physics_command(int argc, char** argv) {
   CLI::App app(
       "Lets the simulated robot carry out every recorded instruction, from the state in which the recording "
       "begins, and compares what changed.",
-      "goalnet eval --physics");
+      "goalnet eval");
   app.footer("Example:\n  goalnet eval demonstrations --physics --limit 20 --runs runs.jsonl");
   std::string folder, grounding = "none", runs;
   PhysicsOptions options;

@@ -16,8 +16,6 @@ using inference::Demonstration;
 
 constexpr double kRest = 1.0;  // [s] simulated, for things to come to rest
 
-bool is_place(const Predicate& fact) { return fact.relation == "On" || fact.relation == "In"; }
-
 bool has_place(const FactSet& facts, const std::string& thing) {
   return std::any_of(facts.begin(), facts.end(),
                      [&](const Predicate& fact) { return is_place(fact) && fact.subject == thing; });
@@ -115,8 +113,7 @@ Expected<PhysicsRun> run_in_physics(const Demonstration& demonstration, const sc
   result.run.id = demonstration.id;
   for (const Action& action : record.last().actions) result.run.actions.push_back(recorded_spelling(action));
   result.run.final_state = record.facts();
-  const int block = static_cast<int>(result.outcome) / 10;
-  if (block == 1) result.run.refusal = result.message;
+  if (static_cast<int>(result.outcome) / 10 == 1) result.run.refusal = result.message;
   result.run.scores =
       score_physics(demonstration, record.facts_before(), record.facts(), record.last().actions);
   return result;

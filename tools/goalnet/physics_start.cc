@@ -18,8 +18,6 @@ constexpr double kBetween = 0.01;  // [m] between neighbours
 constexpr double kDrop = 0.003;    // [m] above what a thing is put onto
 constexpr double kForward = 0.12;  // [m] from the middle of a support towards who stands in front of it
 
-bool is_place(const Predicate& fact) { return fact.relation == "On" || fact.relation == "In"; }
-
 std::optional<std::size_t> object_index(const Scene& scene, const std::string& name) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     if (scene.objects[i].name == name) return i;
@@ -129,6 +127,8 @@ void set_devices(sim::World& world, const FactSet& start) {
 }
 
 }  // namespace
+
+bool is_place(const Predicate& fact) { return fact.relation == "On" || fact.relation == "In"; }
 
 FactSet known_facts(const FactSet& facts, const Scene& scene) {
   const auto known = [&](const std::string& name) {

@@ -10,6 +10,9 @@
 
 namespace goalnet::tools {
 
+// (On …) or (In …).
+bool is_place(const Predicate& fact);
+
 // The places and states among `facts` that the room has names for: (On …), (In …) and (state …).
 FactSet known_facts(const FactSet& facts, const scene::Scene& scene);
 

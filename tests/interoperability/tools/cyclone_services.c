@@ -5,6 +5,7 @@
  *   cyclone_services serve DOMAIN SECONDS     serves /add, prints "met a client" once it can answer one
  * A call waits five seconds for its service and as long for its answer; exit code 1 where either is missing.
  */
+#define _GNU_SOURCE
 #include <dds/dds.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -12,6 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../cyclone_topic.h"
 #include "cyclone_services.h"
 
 #define PATIENCE DDS_SECS(5)
@@ -22,22 +24,6 @@ typedef struct {
   dds_entity_t writer, reader;
   uint64_t number; /* of a client: the instance handle of its writer */
 } pair_t;
-
-static void check(dds_return_t code, const char* what) {
-  if (code >= 0) return;
-  fprintf(stderr, "cyclone_services: %s: %s\n", what, dds_strretcode(-code));
-  exit(2);
-}
-
-static dds_entity_t topic(dds_entity_t participant, const dds_topic_descriptor_t* type, const char* ros_type,
-                          const char* name) {
-  dds_topic_descriptor_t* renamed = malloc(sizeof *renamed); /* lives as long as the process */
-  memcpy(renamed, type, sizeof *renamed);
-  *(const char**)&renamed->m_typename = ros_type;
-  const dds_entity_t made = dds_create_topic(participant, renamed, name, NULL, NULL);
-  check(made, name);
-  return made;
-}
 
 /* Unlike that of any other client. */
 static const char* client_id(void) {
