@@ -38,7 +38,7 @@ class ActionClient {
   };
 
   ActionClient(Node& node, const std::string& name)
-      : base_(node.resolve(name) + "/_action/"),
+      : base_(node.resolve(name, RemapKind::kName) + "/_action/"),
         send_goal_(node, base_ + "send_goal"),
         cancel_(node, base_ + "cancel_goal"),
         get_result_(node, base_ + "get_result"),

@@ -153,7 +153,7 @@ class ActionServer {
   ActionServer(Node& node, const std::string& name, Callbacks callbacks,
                const ActionServerOptions& options = {})
       : callbacks_(std::move(callbacks)), core_(std::make_shared<Core>(node, options)) {
-    const std::string base = node.resolve(name) + "/_action/";
+    const std::string base = node.resolve(name, RemapKind::kName) + "/_action/";
     // In rcl's order, so that both sides list the same.
     send_goal_ = Server<SendGoal>::deferred(node, base + "send_goal", [this](auto request, auto responder) {
       take_goal(std::move(request), std::move(responder));

@@ -1,5 +1,8 @@
 #include "components/ros/arguments.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "components/ros/names.h"
 #include "components/ros/parameter_file.h"
 
@@ -28,27 +31,43 @@ Expected<std::pair<std::string, std::string>> split_assignment(const std::string
   return std::pair(text.substr(0, at), text.substr(at + 2));
 }
 
+// Cuts "rostopic://" or "rosservice://" off `from`.
+RemapKind take_scheme(std::string& from) {
+  for (const auto& [scheme, kind] :
+       {std::pair("rostopic://", RemapKind::kTopic), std::pair("rosservice://", RemapKind::kService)}) {
+    if (!from.starts_with(scheme)) continue;
+    from.erase(0, std::string_view(scheme).size());
+    return kind;
+  }
+  return RemapKind::kName;
+}
+
 Expected<void> take_remap(const std::string& text, Arguments& out) {
   auto rule = split_assignment("-r", text);
   if (!rule) return tl::unexpected(rule.error());
-  auto [node, from] = split_node(rule->first);
+  std::string from = rule->first, node;
   const std::string& to = rule->second;
+  RemapKind kind = take_scheme(from);
+  if (kind == RemapKind::kName) {
+    std::tie(node, from) = split_node(from);
+    kind = take_scheme(from);  // NODE:rostopic://FROM
+  }
   if (from == "__node" || from == "__name") {
     if (auto ok = check_node_name(to); !ok) return bad(ok.error().message);
-    out.node_name = to;
+    out.remaps.push_back({node, RemapKind::kNodeName, "", to});
     return {};
   }
   if (from == "__ns") {
     auto space = normalize_namespace(to);
     if (!space) return bad(space.error().message);
-    out.node_namespace = *space;
+    out.remaps.push_back({node, RemapKind::kNamespace, "", *space});
     return {};
   }
   if (from.empty() || to.empty()) return bad("-r '" + text.substr(0, 200) + "' must look like from:=to");
   for (const std::string& name : {from, to}) {
     if (auto ok = expand_name(name, "/", "node"); !ok) return bad("-r: " + ok.error().message);
   }
-  out.remaps.push_back({node, from, to});
+  out.remaps.push_back({node, kind, from, to});
   return {};
 }
 
@@ -83,6 +102,7 @@ Expected<void> take_value(const std::string& flag, const std::string& value, Arg
     out.enclave = value;
     return {};
   }
+  if (flag != "--params-file") return {};  // where and how rcl's log library writes files: there is none here
   auto parameters = read_parameter_file(value);
   if (!parameters) return tl::unexpected(parameters.error());
   out.parameters.insert(out.parameters.end(), parameters->begin(), parameters->end());
@@ -91,10 +111,39 @@ Expected<void> take_value(const std::string& flag, const std::string& value, Arg
 
 bool takes_value(const std::string& flag) {
   return flag == "-r" || flag == "--remap" || flag == "-p" || flag == "--param" || flag == "--log-level" ||
-         flag == "-e" || flag == "--enclave" || flag == "--params-file";
+         flag == "-e" || flag == "--enclave" || flag == "--params-file" || flag == "--log-config-file" ||
+         flag == "--log-file-name";
+}
+
+std::optional<std::string> first_rule(const std::vector<Remap>& rules, RemapKind kind,
+                                      const std::string& name) {
+  const auto found = std::find_if(rules.begin(), rules.end(), [&](const Remap& rule) {
+    return rule.kind == kind && (rule.node.empty() || rule.node == name);
+  });
+  return found == rules.end() ? std::nullopt : std::optional(found->to);
 }
 
 }  // namespace
+
+std::optional<std::string> Arguments::node_name(const std::string& name) const {
+  return first_rule(remaps, RemapKind::kNodeName, name);
+}
+
+std::optional<std::string> Arguments::node_namespace(const std::string& name) const {
+  return first_rule(remaps, RemapKind::kNamespace, name);
+}
+
+std::optional<LogLevel> Arguments::level_of(const std::string& logger) const {
+  std::optional<LogLevel> level = log_level;
+  std::size_t nearest = 0;
+  for (const auto& [name, one] : logger_levels) {
+    const bool above = logger == name || logger.starts_with(name + ".");
+    if (!above || name.size() < nearest) continue;
+    nearest = name.size();
+    level = one;
+  }
+  return level;
+}
 
 Expected<Arguments> parse_arguments(const std::vector<std::string>& words) {
   Arguments out;

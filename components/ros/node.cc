@@ -41,11 +41,11 @@ struct Node::Internals {
 
 Node::Node(Context& context, EventLoop& loop, NodeOptions options)
     : context_(context), loop_(loop), internals_(std::make_unique<Internals>()) {
-  name_ = options.arguments.node_name.value_or(options.name);
+  name_ = options.arguments.node_name(options.name).value_or(options.name);
   const auto name_ok = check_node_name(name_);
   if (!name_ok) throw std::runtime_error(name_ok.error().message);
-  namespace_ =
-      value_or_throw(normalize_namespace(options.arguments.node_namespace.value_or(options.node_namespace)));
+  namespace_ = value_or_throw(
+      normalize_namespace(options.arguments.node_namespace(name_).value_or(options.node_namespace)));
   full_name_ = (namespace_ == "/" ? "" : namespace_) + "/" + name_;
   logger_ = std::make_unique<Logger>(logger_name(namespace_, name_));
   take_arguments(options.arguments);
@@ -83,8 +83,9 @@ Node::~Node() {
 
 void Node::take_arguments(const Arguments& arguments) {
   for (const Remap& remap : arguments.remaps) {
+    if (remap.kind == RemapKind::kNodeName || remap.kind == RemapKind::kNamespace) continue;
     if (!remap.node.empty() && !matches_node(remap.node, full_name_) && remap.node != name_) continue;
-    remaps_.push_back({"", value_or_throw(expand_name(remap.from, namespace_, name_)),
+    remaps_.push_back({"", remap.kind, value_or_throw(expand_name(remap.from, namespace_, name_)),
                        value_or_throw(expand_name(remap.to, namespace_, name_))});
   }
   for (const ParameterOverride& parameter : arguments.parameters) {
@@ -93,10 +94,7 @@ void Node::take_arguments(const Arguments& arguments) {
     if (!by_name && !matches_node(parameter.node, full_name_)) continue;
     parameters_.set_override(parameter.name, parameter.value, parameter.origin);
   }
-  if (arguments.log_level) logger_->set_level(*arguments.log_level);
-  for (const auto& [name, level] : arguments.logger_levels) {
-    if (name == logger_->name()) logger_->set_level(level);
-  }
+  if (const auto level = arguments.level_of(logger_->name())) logger_->set_level(*level);
   logger_->set_console(arguments.console);
 }
 
@@ -133,10 +131,10 @@ void Node::follow_simulated_time(bool use) {
   });
 }
 
-std::string Node::resolve(const std::string& name) const {
+std::string Node::resolve(const std::string& name, RemapKind kind) const {
   const std::string full = value_or_throw(expand_name(name, namespace_, name_));
   for (const Remap& remap : remaps_) {
-    if (remap.from == full) return remap.to;
+    if (remap.from == full && (remap.kind == RemapKind::kName || remap.kind == kind)) return remap.to;
   }
   return full;
 }

@@ -114,8 +114,8 @@ class Node {
   Context& context() { return context_; }
   EventLoop& loop() { return loop_; }
 
-  // The absolute name of a topic or service after expansion and remapping.
-  std::string resolve(const std::string& name) const;
+  // The absolute name of a topic, a service or (kName) an action after expansion and remapping.
+  std::string resolve(const std::string& name, RemapKind kind = RemapKind::kTopic) const;
 
   // For components/ros: services, actions and tools build on these.
   std::shared_ptr<Writer> open_writer(const std::string& topic, const idl::TypeSupport& support,

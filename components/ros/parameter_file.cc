@@ -36,13 +36,14 @@ ParameterValue scalar(const YAML::Node& node) {
   if (is_one_of(text, {"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF", "n", "N"}))
     return false;
   if (is_one_of(text, {".nan", ".NaN", ".NAN"})) return std::numeric_limits<double>::quiet_NaN();
-  if (is_one_of(text, {".inf", ".Inf", ".INF", "+.inf"})) return std::numeric_limits<double>::infinity();
+  if (is_one_of(text, {".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"}))
+    return std::numeric_limits<double>::infinity();
   if (is_one_of(text, {"-.inf", "-.Inf", "-.INF"})) return -std::numeric_limits<double>::infinity();
   if (text.empty() || text.find_first_not_of("+-.0123456789abcdefABCDEFxX") != std::string::npos) return text;
   char* end = nullptr;
   errno = 0;
   const bool hexadecimal = text.find_first_of("xX") != std::string::npos;
-  const long long whole = std::strtoll(text.c_str(), &end, hexadecimal ? 16 : 10);
+  const long long whole = std::strtoll(text.c_str(), &end, 0);  // 010 is 8, as in YAML 1.1
   if (*end == '\0' && errno == 0) return std::int64_t{whole};
   const double number = std::strtod(text.c_str(), &end);
   if (*end == '\0' && end != text.c_str() && !hexadecimal) return number;

@@ -81,7 +81,7 @@ class Server {
 
  private:
   Server(Node& node, const std::string& service, DeferredCallback callback, const Qos& qos, int)
-      : name_(node.resolve(service)) {
+      : name_(node.resolve(service, RemapKind::kService)) {
     // The handler finds its own server through this slot: the base cannot exist before its handler.
     auto slot = std::make_shared<std::weak_ptr<ServiceServerBase>>();
     auto handler = [slot, call = std::move(callback)](std::shared_ptr<void> request,
@@ -111,7 +111,8 @@ class Client {
   using Callback = std::function<void(Expected<std::shared_ptr<Response>>)>;
 
   Client(Node& node, const std::string& service, const Qos& qos = Qos::services())
-      : name_(node.resolve(service)), base_(std::make_shared<ServiceClientBase>(node.loop())) {
+      : name_(node.resolve(service, RemapKind::kService)),
+        base_(std::make_shared<ServiceClientBase>(node.loop())) {
     const auto opened =
         base_->open(node.context().participant(), name_, node.full_name(), service_types<Service>(), qos);
     if (!opened) throw std::runtime_error(opened.error().message);

@@ -22,7 +22,7 @@ void read_libraries(YamlReader& root, const std::filesystem::path& folder, Scene
     YamlReader reader(*node, path, root.mistakes());
     for (auto& [name, model] : reader.named_maps("models")) {
       const bool known = std::any_of(scene.models.begin(), scene.models.end(),
-                                     [&](const auto& m) { return m.name == name; });
+                                     [&name = name](const auto& m) { return m.name == name; });
       if (known) model.mistake("model '" + name + "' is defined twice; rename one");
       scene.models.push_back(read_model(name, model));
     }

@@ -47,7 +47,7 @@ ros::Arguments node_arguments(const LoopOptions& options, std::string_view compo
   ros::Arguments arguments = options.arguments;
   std::vector<ros::ParameterOverride> own;
   const auto set = [&](const char* name, ros::ParameterValue value) {
-    own.push_back({std::string(component), name, std::move(value), "goalnet run"});
+    own.push_back({"/**", name, std::move(value), "goalnet run"});  // in any namespace, under any name
   };
   const bool simulator = component == "simulator", executor = component == "executor";
   const bool manipulation = component == "manipulation", world_model = component == "world_model";
@@ -68,7 +68,10 @@ ros::Arguments node_arguments(const LoopOptions& options, std::string_view compo
   set("autostart", true);  // nobody else would; a loop without one of its components is none
   arguments.parameters = std::move(own);
   arguments.console = options.console && arguments.console;
-  arguments.node_name.reset();  // one name cannot be for all
+  // One name cannot be for all.
+  std::erase_if(arguments.remaps, [](const ros::Remap& rule) {
+    return rule.kind == ros::RemapKind::kNodeName && rule.node.empty();
+  });
   return arguments;
 }
 

@@ -58,10 +58,10 @@ TEST(Arguments, TakesWhatRclTakes) {
                                        "--",           "--seed",     "3"});
   ASSERT_TRUE(parsed) << parsed.error().message;
   EXPECT_THAT(parsed->remaining, testing::ElementsAre("fill the mug", "--seed", "3"));
-  EXPECT_EQ(parsed->node_name, "me");
-  EXPECT_EQ(parsed->node_namespace, "/robot_1");
-  ASSERT_EQ(parsed->remaps.size(), 1u);
-  EXPECT_EQ(parsed->remaps[0].to, "/b");
+  EXPECT_EQ(parsed->node_name("planner"), "me");
+  EXPECT_EQ(parsed->node_namespace("me"), "/robot_1");
+  ASSERT_EQ(parsed->remaps.size(), 3u);
+  EXPECT_EQ(parsed->remaps[2].to, "/b");
   ASSERT_EQ(parsed->parameters.size(), 2u);
   EXPECT_EQ(parsed->parameters[0].node, "/**");
   EXPECT_EQ(parsed->parameters[0].value, ParameterValue(2.5));
@@ -69,6 +69,48 @@ TEST(Arguments, TakesWhatRclTakes) {
   EXPECT_EQ(parsed->parameters[1].value, ParameterValue(std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(parsed->log_level, LogLevel::kDebug);
   EXPECT_EQ(parsed->enclave, "/enclave");
+}
+
+TEST(Arguments, RulesForOneNodeAndForOneKindOfName) {
+  const auto parsed =
+      parse_arguments({"--ros-args", "-r", "planner:__node:=brain", "-r", "__node:=other", "-r",
+                       "__node:=late", "-r", "brain:__ns:=/head", "-r", "rostopic://plan:=a", "-r",
+                       "rosservice:///plan:=/b", "-r", "brain:rostopic://~/x:=c", "-r", "/ns/brain:plan:=d"});
+  ASSERT_TRUE(parsed) << parsed.error().message;
+  EXPECT_EQ(parsed->node_name("planner"), "brain");
+  EXPECT_EQ(parsed->node_name("coordinator"), "other") << "the first that applies wins, as in rcl";
+  EXPECT_EQ(parsed->node_namespace("brain"), "/head");
+  EXPECT_EQ(parsed->node_namespace("other"), std::nullopt);
+  const auto rule = [&](std::size_t i) {
+    const Remap& one = parsed->remaps[i];
+    return std::tuple(one.node, one.kind, one.from, one.to);
+  };
+  ASSERT_EQ(parsed->remaps.size(), 8u);
+  EXPECT_EQ(rule(4), std::tuple("", RemapKind::kTopic, "plan", "a"));
+  EXPECT_EQ(rule(5), std::tuple("", RemapKind::kService, "/plan", "/b"));
+  EXPECT_EQ(rule(6), std::tuple("brain", RemapKind::kTopic, "~/x", "c"));
+  EXPECT_EQ(rule(7), std::tuple("/ns/brain", RemapKind::kName, "plan", "d"));
+}
+
+TEST(Arguments, LevelsOfLoggersAndOfThoseBelow) {
+  const auto parsed = parse_arguments({"--ros-args", "--log-level", "robot_1:=debug", "--log-level", "error",
+                                       "--log-level", "robot_1.planner:=fatal"});
+  ASSERT_TRUE(parsed) << parsed.error().message;
+  EXPECT_EQ(parsed->level_of("robot_1.planner"), LogLevel::kFatal);
+  EXPECT_EQ(parsed->level_of("robot_1.executor"), LogLevel::kDebug);
+  EXPECT_EQ(parsed->level_of("robot_12.executor"), LogLevel::kError);
+  EXPECT_EQ(Arguments().level_of("planner"), std::nullopt);
+}
+
+// launch and people pass these to every node; here they have no effect.
+TEST(Arguments, TakesTheFlagsOfRclsLogLibrary) {
+  const auto parsed =
+      parse_arguments({"--ros-args", "--log-file-name", "robot", "--log-config-file", "log.yaml",
+                       "--disable-external-lib-logs", "--disable-stdout-logs", "--disable-rosout-logs"});
+  ASSERT_TRUE(parsed) << parsed.error().message;
+  EXPECT_FALSE(parsed->console);
+  EXPECT_FALSE(parsed->rosout);
+  EXPECT_FALSE(parse_arguments({"--ros-args", "--log-file-name"}));
 }
 
 TEST(Arguments, RefusesWithAReason) {
@@ -105,6 +147,8 @@ robot_1:
       quoted: "true"
       none: []
       hex: 0x10
+      octal: 010
+      endless: [+.Inf, -.inf]
 )",
                                      "p.yaml");
   ASSERT_TRUE(read) << read.error().message;
@@ -121,6 +165,9 @@ robot_1:
   EXPECT_EQ(by_name["quoted"].value, ParameterValue(std::string("true")));
   EXPECT_EQ(by_name["none"].value, ParameterValue(std::vector<std::string>{}));
   EXPECT_EQ(by_name["hex"].value, ParameterValue(std::int64_t{16}));
+  EXPECT_EQ(by_name["octal"].value, ParameterValue(std::int64_t{8}));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(by_name["endless"].value, ParameterValue(std::vector<double>{kInfinity, -kInfinity}));
 }
 
 TEST(ParameterFile, MalformedFilesNameFileAndLine) {

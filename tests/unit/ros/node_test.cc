@@ -46,6 +46,14 @@ TEST_F(NodeTest, NamesAndRemaps) {
   EXPECT_EQ(node.resolve("world_state"), "/shared/world");
   EXPECT_EQ(node.resolve("plan"), "/robot_1/plan");
   EXPECT_EQ(node.resolve("~/x"), "/robot_1/brain/x");
+  Node other(
+      *context, loop,
+      with({"-r", "planner:__node:=two", "-r", "rostopic://a:=b", "-r", "two:c:=/d", "-r", "planner:c:=/e"}));
+  EXPECT_EQ(other.full_name(), "/two");
+  EXPECT_EQ(other.resolve("a"), "/b");
+  EXPECT_EQ(other.resolve("a", RemapKind::kService), "/a");
+  EXPECT_EQ(other.resolve("a", RemapKind::kName), "/a") << "actions are of both kinds";
+  EXPECT_EQ(other.resolve("c"), "/d") << "rules name the node as it is called in the end";
   const auto bad = Node::create(*context, loop, plain("a b"));
   ASSERT_FALSE(bad);
   EXPECT_THAT(bad.error().message, HasSubstr("node name"));
