@@ -30,6 +30,15 @@ TEST_P(ByGoal, IsReachedInTheWorld) {
   for (const std::string& action : GetParam().by) EXPECT_THAT(result.actions(), testing::Contains(action));
 }
 
+// Whoever runs two robots on one network puts each into a namespace; names may be changed as well.
+TEST(Names, ARunInANamespaceReachesItsGoal) {
+  const RunResult result = run_json({"--goal", "(state Microwave DoorIsOpen)", "--ros-args", "-r",
+                                     "__ns:=/robot_1", "-r", "planner:__node:=brain"},
+                                    84);
+  EXPECT_EQ(result.exit_code, 0) << result.json["message"];
+  EXPECT_TRUE(result.holds("(state Microwave DoorIsOpen)"));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Kitchen, ByGoal,
     testing::Values(

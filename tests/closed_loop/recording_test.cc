@@ -100,6 +100,30 @@ TEST_F(Recording, SameRunSameBagInEitherStorage) {
   EXPECT_GT(equal, first.size() * 9 / 10);
 }
 
+// The robot has done what it was to do, but the recording that was asked for is not there: that is no
+// success.
+TEST_F(Recording, AFullDiskIsToldInTheOutcome) {
+  const std::string bag = (folder / "bag").string();
+  // Files end at 600 KiB, and writing beyond fails as on a full disk.
+  Process process({"/bin/sh", "-c", "trap '' XFSZ; ulimit -f 1200; exec \"$0\" \"$@\"",
+                   testing_support::program("goalnet"), "run", "--json", "--goal", "(state SinkKnob TapIsOn)",
+                   "--record", bag},
+                  {{"ROS_DOMAIN_ID", std::to_string(kDomain)}});
+  const auto result = process.wait(std::chrono::seconds(60));
+  EXPECT_EQ(result.exit_code, static_cast<int>(Outcome::kInternal)) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["outcome"], "done");
+  EXPECT_EQ(json["recording"]["complete"], false);
+  EXPECT_THAT(json["recording"]["message"].get<std::string>(),
+              testing::HasSubstr("cannot write the recording"));
+  EXPECT_THAT(result.err, testing::HasSubstr("the recording is not complete"));
+  const auto metadata = ros::read_bag_metadata(bag);
+  ASSERT_TRUE(metadata) << metadata.error().message;
+  EXPECT_GT(metadata->message_count(), 100u);
+  EXPECT_TRUE(open(bag)->finished()) << "what was written before is whole";
+  EXPECT_EQ(messages(bag).size(), metadata->message_count());
+}
+
 TEST_F(Recording, HoldsAllThatRvizNeeds) {
   const std::string bag = run("run", "mcap");
   std::map<std::string, std::vector<Recorded>> by_topic;

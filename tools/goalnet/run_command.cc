@@ -120,11 +120,16 @@ class Run {
       last.message = "interrupted; the robot had not come to rest";
       record_.on_status(last);
     }
-    tell(last);
-    if (const auto recorded = loop_->finish_recording(); !recorded) {
-      std::cerr << "goalnet run: " << recorded.error().message << "; the recording is not complete\n";
+    const double sim_time = sim_elapsed(), wall_time = since(start_);
+    nlohmann::ordered_json json = to_json(label_, record_, sim_time, wall_time);
+    if (!options_.json) {
+      printer_.end(last, difference(record_.facts(), record_.facts_before()),
+                   difference(record_.facts_before(), record_.facts()), sim_time, wall_time);
     }
-    return static_cast<int>(last.outcome);
+    const Outcome recorded = finish_recording(json);  // simulates on for a moment
+    if (options_.json) print_json(json);
+    // Whoever asked for a recording did not get what was asked for, whatever the robot did.
+    return static_cast<int>(last.outcome == Outcome::kDone ? recorded : last.outcome);
   }
 
  private:
@@ -152,14 +157,16 @@ class Run {
     if (!written) std::cerr << "goalnet run: " << written.error().message << "\n";
   }
 
-  void tell(const coordinator::Report& last) {
-    const double sim_time = sim_elapsed(), wall_time = since(start_);
-    if (options_.json) {
-      print_json(to_json(label_, record_, sim_time, wall_time));
-    } else {
-      printer_.end(last, difference(record_.facts(), record_.facts_before()),
-                   difference(record_.facts_before(), record_.facts()), sim_time, wall_time);
-    }
+  // Completes the bag and says in `json` whether it is whole.
+  Outcome finish_recording(nlohmann::ordered_json& json) {
+    if (options_.record.empty()) return Outcome::kDone;
+    const auto recorded = loop_->finish_recording();
+    json["recording"] = {{"directory", options_.record},
+                         {"complete", recorded.has_value()},
+                         {"message", recorded ? "" : recorded.error().message}};
+    if (recorded) return Outcome::kDone;
+    std::cerr << "goalnet run: " << recorded.error().message << "; the recording is not complete\n";
+    return recorded.error().outcome;
   }
 
   const RunOptions& options_;

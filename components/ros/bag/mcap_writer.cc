@@ -1,5 +1,6 @@
-// MCAP: chunked and indexed. A chunk is written out when it reaches 1 MiB or at flush().
+// MCAP: chunked and indexed. A chunk is written out before it exceeds 1 MiB, and at flush().
 #include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -32,7 +33,7 @@ class McapWriter : public StorageWriter {
   Expected<void> write(std::size_t topic, std::uint64_t log_time, std::uint64_t publish_time,
                        std::span<const std::uint8_t> payload) override;
   Expected<void> flush() override;
-  Expected<void> finish(const BagMetadata& metadata) override;
+  Expected<void> finish(BagMetadata& metadata) override;
   std::uint64_t size() const override { return offset_ + chunk_.size(); }
 
  private:
@@ -44,6 +45,7 @@ class McapWriter : public StorageWriter {
     std::uint64_t offset, length;
   };
   Expected<void> put(const Bytes& bytes);
+  void drop_chunk(BagMetadata& metadata);
   Expected<void> put_metadata(const BagMetadata& metadata);
   Bytes summary(std::uint64_t start) const;
   Bytes chunk_indexes() const;
@@ -66,8 +68,13 @@ class McapWriter : public StorageWriter {
 };
 
 Expected<void> McapWriter::put(const Bytes& bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() || std::fflush(file_) != 0) {
-    return fail(Outcome::kInternal, std::string("cannot write the recording: ") + std::strerror(errno));
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
+    const std::string why = std::strerror(errno);
+    // Half a record would make what follows unreadable; without it there is room for the file's end.
+    std::clearerr(file_);
+    if (::ftruncate(::fileno(file_), static_cast<off_t>(offset_)) == 0)
+      std::fseek(file_, static_cast<long>(offset_), SEEK_SET);
+    return fail(Outcome::kInternal, "cannot write the recording: " + why);
   }
   offset_ += bytes.size();
   return {};
@@ -136,6 +143,9 @@ Expected<void> McapWriter::add_topic(const BagTopic& topic) {
 Expected<void> McapWriter::write(std::size_t topic, std::uint64_t log_time, std::uint64_t publish_time,
                                  std::span<const std::uint8_t> payload) {
   const auto channel = static_cast<std::uint16_t>(topic + 1);
+  if (chunk_.size() + payload.size() >= kChunkBytes) {
+    if (auto ok = flush(); !ok) return ok;
+  }
   if (chunk_index_.empty()) chunk_start_ = chunk_end_ = log_time;
   if (message_count_ == 0) first_time_ = last_time_ = log_time;
   chunk_start_ = std::min(chunk_start_, log_time);
@@ -152,7 +162,7 @@ Expected<void> McapWriter::write(std::size_t topic, std::uint64_t log_time, std:
   chunk_.insert(chunk_.end(), payload.begin(), payload.end());
   ++message_count_;
   ++counts_[channel];
-  return chunk_.size() >= kChunkBytes ? flush() : Expected<void>();
+  return {};
 }
 
 Expected<void> McapWriter::flush() {
@@ -265,14 +275,33 @@ Bytes McapWriter::summary(std::uint64_t start) const {
   return out;
 }
 
-Expected<void> McapWriter::finish(const BagMetadata& metadata) {
-  if (auto ok = flush(); !ok) return ok;
-  if (auto ok = put_metadata(metadata); !ok) return ok;
+Expected<void> McapWriter::finish(BagMetadata& metadata) {
+  auto flushed = flush();
+  if (!flushed) drop_chunk(metadata);
+  if (auto ok = put_metadata(metadata); !ok) return flushed ? ok : flushed;
   Bytes end, content;
   number<std::uint32_t>(content, 0);  // no checksum of the data: the chunks have their own
   record(end, kDataEnd, content);
-  if (auto ok = put(end); !ok) return ok;
-  return put(summary(offset_));
+  if (auto ok = put(end); !ok) return flushed ? ok : flushed;
+  const auto ended = put(summary(offset_));
+  return flushed ? ended : flushed;
+}
+
+void McapWriter::drop_chunk(BagMetadata& metadata) {
+  for (const auto& [channel, entries] : chunk_index_) {
+    counts_[channel] -= entries.size();
+    message_count_ -= entries.size();
+    metadata.topics.at(channel - 1u).message_count -= entries.size();
+    metadata.files.back().message_count -= entries.size();
+  }
+  BagFile& file = metadata.files.back();
+  if (chunks_.empty()) first_time_ = 0;
+  last_time_ = first_time_;
+  for (const ChunkPlace& chunk : chunks_) last_time_ = std::max(last_time_, chunk.end_time);
+  file.start = chunks_.empty() ? kNoStart : first_time_;
+  file.duration = last_time_ - first_time_;
+  chunk_.clear();
+  chunk_index_.clear();
 }
 
 }  // namespace
@@ -283,6 +312,7 @@ Expected<std::unique_ptr<StorageWriter>> create_mcap_writer(const std::string& p
   std::FILE* file = std::fopen(path.c_str(), "wbx");
   if (file == nullptr)
     return fail(Outcome::kInvalidRequest, "cannot make " + path + ": " + std::strerror(errno));
+  std::setvbuf(file, nullptr, _IONBF, 0);  // whole records or nothing
   // Says that somebody is writing, also to other processes, and ends with this one: nobody repairs a living
   // file.
   ::flock(::fileno(file), LOCK_EX | LOCK_NB);

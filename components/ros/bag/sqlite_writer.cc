@@ -42,7 +42,7 @@ class SqliteWriter : public StorageWriter {
   Expected<void> write(std::size_t topic, std::uint64_t log_time, std::uint64_t publish_time,
                        std::span<const std::uint8_t> payload) override;
   Expected<void> flush() override;
-  Expected<void> finish(const BagMetadata& metadata) override;
+  Expected<void> finish(BagMetadata& metadata) override;
   std::uint64_t size() const override { return size_; }
 
  private:
@@ -115,7 +115,7 @@ Expected<void> SqliteWriter::write(std::size_t topic, std::uint64_t log_time, st
 
 Expected<void> SqliteWriter::flush() { return database_.run("COMMIT;BEGIN;"); }
 
-Expected<void> SqliteWriter::finish(const BagMetadata& metadata) {
+Expected<void> SqliteWriter::finish(BagMetadata& metadata) {
   if (auto put = put_metadata(metadata); !put) return put;
   insert_message_.reset();
   // Leaving the write-ahead mode moves its content into the file and removes the two files beside it.

@@ -24,8 +24,9 @@ class StorageWriter {
                                std::span<const std::uint8_t> payload) = 0;
   virtual Expected<void> flush() = 0;
   // Writes what makes the file complete, with the metadata that Jazzy wants inside; nothing can be written
-  // afterwards.
-  virtual Expected<void> finish(const BagMetadata& metadata) = 0;
+  // afterwards. Messages that found no place on the disk are taken out of the counts of `metadata`, whose last
+  // file is this one.
+  virtual Expected<void> finish(BagMetadata& metadata) = 0;
   virtual std::uint64_t size() const = 0;  // [bytes] so far, about
 };
 

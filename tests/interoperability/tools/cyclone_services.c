@@ -81,14 +81,18 @@ static void* wait_for_reply(pair_t pair, int64_t sequence) {
   exit(1);
 }
 
+static dds_entity_t add_request(dds_entity_t p) {
+  return topic(p, &with_header_AddTwoInts_Request_desc, "example_interfaces::srv::dds_::AddTwoInts_Request_",
+               "rq/addRequest");
+}
+
+static dds_entity_t add_reply(dds_entity_t p) {
+  return topic(p, &with_header_AddTwoInts_Response_desc, "example_interfaces::srv::dds_::AddTwoInts_Response_",
+               "rr/addReply");
+}
+
 static void call(dds_entity_t p, int count) {
-  const pair_t pair = make_pair(
-      p,
-      topic(p, &with_header_AddTwoInts_Request_desc, "example_interfaces::srv::dds_::AddTwoInts_Request_",
-            "rq/addRequest"),
-      topic(p, &with_header_AddTwoInts_Response_desc, "example_interfaces::srv::dds_::AddTwoInts_Response_",
-            "rr/addReply"),
-      client_id());
+  const pair_t pair = make_pair(p, add_request(p), add_reply(p), client_id());
   wait_for_service(pair);
   fprintf(stderr, "found %d\n", (int)((dds_time() - start) / 1000000));
   for (int i = 1; i <= count; ++i) {
@@ -114,13 +118,7 @@ static void state(dds_entity_t p, const char* node) {
 }
 
 static void serve(dds_entity_t p, dds_time_t end) {
-  const pair_t pair = make_pair(
-      p,
-      topic(p, &with_header_AddTwoInts_Response_desc, "example_interfaces::srv::dds_::AddTwoInts_Response_",
-            "rr/addReply"),
-      topic(p, &with_header_AddTwoInts_Request_desc, "example_interfaces::srv::dds_::AddTwoInts_Request_",
-            "rq/addRequest"),
-      "serviceid= 1.10.aa.3;");
+  const pair_t pair = make_pair(p, add_reply(p), add_request(p), "serviceid= 1.10.aa.3;");
   wait_for_service(pair); /* here: for a client */
   printf("met a client\n");
   fflush(stdout);
