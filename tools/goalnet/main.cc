@@ -18,6 +18,7 @@ constexpr Command kCommands[] = {
     {"run", "let a simulated robot carry out an instruction", nullptr, "goalnet-robot"},
     {"component", "run one component as a process of its own, as a ROS 2 node", nullptr, "goalnet-robot"},
     {"launch", "start, watch and restart the components of a robot", nullptr, "goalnet-robot"},
+    {"tell", "give an instruction to a robot that is up", nullptr, "goalnet-robot"},
     {"record", "record topics into a bag that ros2 bag and Foxglove open", nullptr, "goalnet-robot"},
     {"replay", "publish what a bag holds", nullptr, "goalnet-robot"},
     {"plan", "solve a PDDL problem", plan_command},

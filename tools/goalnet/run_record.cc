@@ -9,17 +9,20 @@ using nlohmann::ordered_json;
 
 constexpr std::uint32_t kMostSteps = 1000;  // the largest max_steps; statuses come from the network
 
-template <class Range>
-ordered_json texts(const Range& range) {
-  ordered_json list = ordered_json::array();
-  for (const auto& item : range) list.push_back(goalnet::to_string(item));
-  return list;
-}
-
 // Simulated time is a whole number of milliseconds; wall-clock time is not known better.
 double rounded(double seconds) { return std::round(seconds * 1000.0) / 1000.0; }
 
 }  // namespace
+
+ordered_json to_json(const std::vector<RunStep>& steps) {
+  ordered_json list = ordered_json::array();
+  for (const RunStep& step : steps) {
+    list.push_back({{"positive", texts(step.goal.positive)},
+                    {"negative", texts(step.goal.negative)},
+                    {"actions", texts(step.actions)}});
+  }
+  return list;
+}
 
 void RunRecord::on_status(const coordinator::Report& report) {
   if (last_.id != 0 && report.id != last_.id) return;  // another instruction, refused meanwhile
@@ -44,12 +47,6 @@ void RunRecord::on_status(const coordinator::Report& report) {
 void RunRecord::on_world(const WorldState& world) { facts_ = world.facts; }
 
 ordered_json to_json(const RunLabel& label, const RunRecord& record, double sim_time_s, double wall_time_s) {
-  ordered_json steps = ordered_json::array();
-  for (const RunStep& step : record.steps()) {
-    steps.push_back({{"positive", texts(step.goal.positive)},
-                     {"negative", texts(step.goal.negative)},
-                     {"actions", texts(step.actions)}});
-  }
   ordered_json object;
   object["instruction"] = label.instruction;
   object["scene"] = label.scene;
@@ -60,7 +57,7 @@ ordered_json to_json(const RunLabel& label, const RunRecord& record, double sim_
   object["facts"] = texts(record.facts());
   object["facts_added"] = texts(difference(record.facts(), record.facts_before()));
   object["facts_removed"] = texts(difference(record.facts_before(), record.facts()));
-  object["steps"] = std::move(steps);
+  object["steps"] = to_json(record.steps());
   object["sim_time_s"] = rounded(sim_time_s);
   object["wall_time_s"] = rounded(wall_time_s);
   return object;

@@ -35,6 +35,17 @@ class RunRecord {
   bool begun_ = false;
 };
 
+// "(On Mug_1 Sink)" for predicates, "moveTo Mug_1" for actions.
+template <class Range>
+nlohmann::ordered_json texts(const Range& range) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& item : range) list.push_back(goalnet::to_string(item));
+  return list;
+}
+
+// [{"positive", "negative", "actions"}]
+nlohmann::ordered_json to_json(const std::vector<RunStep>& steps);
+
 // What identifies a run.
 struct RunLabel {
   std::string instruction;  // the sentence, or the goal's predicates

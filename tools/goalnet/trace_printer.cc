@@ -117,13 +117,17 @@ void TracePrinter::draw_action(const std::string& mark, const std::string& right
   out_ << std::flush;
 }
 
+std::string TracePrinter::took(double sim_time, double wall_time) const {
+  const std::string real = seconds(wall_time - action_wall_start_);
+  if (!style_.simulated) return real;
+  return seconds(sim_time - action_sim_start_) + "  " + paint("(" + real + " real)", Paint::kDim);
+}
+
 void TracePrinter::close_action(const coordinator::Report& report, double sim_time, double wall_time) {
   if (action_.empty()) return;
   const bool done = report.actions.size() > carried_out_;
   carried_out_ = report.actions.size();
-  const std::string took = seconds(sim_time - action_sim_start_) + "  " +
-                           paint("(" + seconds(wall_time - action_wall_start_) + " real)", Paint::kDim);
-  draw_action(done ? paint("✓", Paint::kGreen) : paint("✗", Paint::kRed), took, true);
+  draw_action(done ? paint("✓", Paint::kGreen) : paint("✗", Paint::kRed), took(sim_time, wall_time), true);
   action_.clear();
 }
 
@@ -169,10 +173,7 @@ void TracePrinter::on_status(const coordinator::Report& report, double sim_time,
 void TracePrinter::on_stage(const std::string& stage, double progress, double sim_time, double wall_time) {
   if (action_.empty()) return;
   const double part = std::isfinite(progress) ? progress : 0.0;
-  draw_action("▸",
-              bar(part) + "  " + stage + "  " + seconds(sim_time - action_sim_start_) + "  " +
-                  paint("(" + seconds(wall_time - action_wall_start_) + " real)", Paint::kDim),
-              false);
+  draw_action("▸", bar(part) + "  " + stage + "  " + took(sim_time, wall_time), false);
 }
 
 void TracePrinter::end(const coordinator::Report& report, const FactSet& added, const FactSet& removed,
@@ -187,12 +188,12 @@ void TracePrinter::end(const coordinator::Report& report, const FactSet& added, 
   out_ << "\n";
   if (const std::string text = join(added); !text.empty()) out_ << "  now         " << text << "\n";
   if (const std::string text = join(removed); !text.empty()) out_ << "  no longer   " << text << "\n";
-  char text[160];
-  std::snprintf(text, sizeof text, "  %zu action%s in %s of simulated time, %s of real time",
-                report.actions.size(), report.actions.size() == 1 ? "" : "s", seconds(sim_time).c_str(),
-                seconds(wall_time).c_str());
-  out_ << text;
-  if (wall_time > 0.0 && sim_time > 0.0) {
+  const std::size_t count = report.actions.size();
+  out_ << "  " << count << (count == 1 ? " action in " : " actions in ");
+  if (style_.simulated) out_ << seconds(sim_time) << " of simulated time, ";
+  out_ << seconds(wall_time) << (style_.simulated ? " of real time" : "");
+  if (style_.simulated && wall_time > 0.0 && sim_time > 0.0) {
+    char text[48];
     std::snprintf(text, sizeof text, " (%.1f times as fast)", sim_time / wall_time);
     out_ << text;
   }

@@ -13,9 +13,9 @@
 namespace goalnet::tools {
 
 struct TraceStyle {
-  bool colour = false;  // ANSI colours
-  bool live =
-      false;  // the line of the running action is redrawn in place; else printed when the action is over
+  bool colour = false;    // ANSI colours
+  bool live = false;      // the line of the running action is redrawn in place; else printed when it is over
+  bool simulated = true;  // there are two times to tell; else sim_time is left out
 };
 
 // Colours and redrawing where file descriptor `fd` is a terminal that can do it (NO_COLOR and TERM=dumb are
@@ -39,6 +39,7 @@ class TracePrinter {
   std::string paint(const std::string& text, Paint colour) const;
   void print_goal(const coordinator::Report& report);
   void print_plan(const coordinator::Report& report);
+  std::string took(double sim_time, double wall_time) const;  // by the action that runs
   void draw_action(const std::string& mark, const std::string& right, bool final_line);
   void close_action(const coordinator::Report& report, double sim_time, double wall_time);
 

@@ -87,6 +87,13 @@ TEST(TracePrinter, SaysWhyThereIsANewPlan) {
   EXPECT_THAT(text, HasSubstr("! new plan: the mug slipped\n        plan  grasp Mug_1, keep-on Mug_1 Sink"));
 }
 
+TEST(TracePrinter, KnowsOneTimeWhereNothingIsSimulated) {
+  const std::string text = trace({.simulated = false});
+  EXPECT_THAT(text, HasSubstr("1 action in 0.5 s\n"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("simulated")));
+  EXPECT_THAT(text, testing::Not(HasSubstr("real")));
+}
+
 TEST(TracePrinter, RedrawsTheRunningActionOnATerminal) {
   const std::string text = trace({.colour = true, .live = true});
   EXPECT_THAT(text, HasSubstr("\r\x1b[2K"));
