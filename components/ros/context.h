@@ -26,9 +26,10 @@ std::string_view to_string(Distro distro);
 // ROS_LOCALHOST_ONLY, ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_STATIC_PEERS, ROS_DISCOVERY_SERVER,
 // GOALNET_SHARED_MEMORY.
 struct ContextOptions {
-  int domain_id = -1;                           // 0..232; -1: ROS_DOMAIN_ID, or 0
-  std::string enclave = "/";                    // where SROS2 looks for keys; also the participant's name
-  std::optional<Distro> distro = std::nullopt;  // empty: GOALNET_ROS_DISTRO; Humble if ROS_DISTRO says so; Jazzy
+  int domain_id = -1;         // 0..232; -1: ROS_DOMAIN_ID, or 0
+  std::string enclave = "/";  // where SROS2 looks for keys; also the participant's name
+  std::optional<Distro> distro =
+      std::nullopt;  // empty: GOALNET_ROS_DISTRO; Humble if ROS_DISTRO says so; Jazzy
   // Only talk inside this process: for tests and for a closed loop that nobody is to disturb.
   bool process_only = false;
 };

@@ -43,6 +43,9 @@ struct EndpointOptions {
   const idl::TypeSupport* support = nullptr;  // nullptr: raw payloads
   Qos qos;
   std::string node;  // full name of the node it belongs to; "" for none
+  // Of a reliable writer, while anything is unacknowledged: how soon a reader that missed something, or has
+  // just come, can tell. Costs a small datagram each time.
+  std::chrono::milliseconds heartbeat{100};
   static EndpointOptions of(const idl::TypeSupport& support, std::string dds_topic, const Qos& qos,
                             std::string node);
 };

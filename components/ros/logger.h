@@ -94,8 +94,7 @@ class Logger {
   void log(LogLevel level, const SourceLocation& where, const Format& format, const Args&... args) {
     if (level >= this->level()) write(level, where, format, fmt::make_format_args(args...));
   }
-  void write(LogLevel level, const SourceLocation& where, fmt::string_view format,
-             fmt::format_args args);
+  void write(LogLevel level, const SourceLocation& where, fmt::string_view format, fmt::format_args args);
 
   struct Impl;
   const std::string name_;

@@ -13,7 +13,10 @@ namespace {
 constexpr std::size_t kMostRequests = 1000;  // waiting in one server
 constexpr std::size_t kMostReplies = 1000;   // waiting for their client's reader
 constexpr auto kReplyPatience = std::chrono::seconds(10);
-constexpr auto kAcquaintance = std::chrono::milliseconds(150);  // half as long again as between heartbeats
+// A client that has just found us takes in nothing until a heartbeat tells it where to begin; meanwhile it
+// keeps ten replies, those to others included. After 100 ms its own was among those that it dropped.
+constexpr auto kHeartbeat = std::chrono::milliseconds(20);
+constexpr auto kAcquaintance = std::chrono::milliseconds(50);  // two heartbeats and some more
 constexpr auto kLookAgain = std::chrono::milliseconds(5);
 constexpr auto kTimeoutResolution = std::chrono::milliseconds(20);
 
@@ -21,12 +24,16 @@ bool is_reader(const Gid& gid) { return (gid[15] & 0x3f) == 0x04 || (gid[15] & 0
 
 EndpointOptions request_options(ServiceTypes types, const std::string& service, const Qos& qos,
                                 const std::string& node) {
-  return EndpointOptions::of(*types.request, service_request_to_dds(service), qos, node);
+  auto options = EndpointOptions::of(*types.request, service_request_to_dds(service), qos, node);
+  options.heartbeat = kHeartbeat;
+  return options;
 }
 
 EndpointOptions reply_options(ServiceTypes types, const std::string& service, const Qos& qos,
                               const std::string& node) {
-  return EndpointOptions::of(*types.response, service_reply_to_dds(service), qos, node);
+  auto options = EndpointOptions::of(*types.response, service_reply_to_dds(service), qos, node);
+  options.heartbeat = kHeartbeat;
+  return options;
 }
 
 // Readers get the bytes: what they mean depends on who sent them.

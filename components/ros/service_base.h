@@ -47,8 +47,8 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
   // `response` is kept until then.
   void reply(const ReplyTo& reply_to, std::shared_ptr<const void> response);
 
-  // To see a request at once, in the thread that delivers it and after it was queued; the handler's turn comes
-  // as ever. What is called must not wait: this participant receives nothing else meanwhile.
+  // To see a request at once, in the thread that delivers it and after it was queued; the handler's turn
+  // comes as ever. What is called must not wait: this participant receives nothing else meanwhile.
   using Glance = std::function<void(const void* request)>;
   void set_glance(Glance glance) {
     std::lock_guard lock(mutex_);

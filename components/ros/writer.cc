@@ -55,7 +55,8 @@ Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::P
   auto topic = participant->acquire_topic(options.dds_topic, options.dds_type);
   if (!topic) return tl::unexpected(topic.error());
   const auto qos = detail::writer_qos(
-      options.qos, detail::endpoint_user_data(participant->settings().distro, options.type_hash));
+      options.qos, detail::endpoint_user_data(participant->settings().distro, options.type_hash),
+      options.heartbeat);
   impl->writer = participant->publisher().create_datawriter(*topic, qos, impl.get(),
                                                             dds::StatusMask::publication_matched());
   if (impl->writer == nullptr) {

@@ -69,6 +69,13 @@ void Process::signal(int number) { kill(impl_->pid, number); }
 
 int Process::pid() const { return impl_->pid; }
 
+bool Process::ended() const {
+  siginfo_t info{};
+  return impl_->waited ||
+         (waitid(P_PID, static_cast<id_t>(impl_->pid), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+          info.si_pid == impl_->pid);
+}
+
 std::string Process::out() const {
   const std::lock_guard lock(impl_->mutex);
   return impl_->out;

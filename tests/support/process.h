@@ -26,6 +26,7 @@ class Process {
 
   void signal(int number);
   int pid() const;
+  bool ended() const;
   // Everything printed so far on standard output.
   std::string out() const;
   std::string err() const;

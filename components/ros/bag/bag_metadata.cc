@@ -161,8 +161,8 @@ std::string embedded_metadata_yaml(const BagMetadata& metadata, Distro distro) {
       metadata.message_count());
   if (metadata.topics.empty()) out += "  []\n";
   for (const BagTopic& topic : metadata.topics) out += topic_yaml(topic, distro);
-  out += fmt::format("compression_format: \"{}\"\ncompression_mode: \"{}\"\nrelative_file_paths:\n",
-                     metadata.compression_format, metadata.compression_mode);
+  out += fmt::format("compression_format: {}\ncompression_mode: {}\nrelative_file_paths:\n",
+                     scalar(metadata.compression_format), scalar(metadata.compression_mode));
   for (const BagFile& file : metadata.files) out += "  - " + scalar(file.path) + "\n";
   out += "files:\n";
   for (const BagFile& file : metadata.files) {

@@ -132,7 +132,9 @@ Gid to_gid(const eprosima::fastrtps::rtps::GUID_t& guid);
 eprosima::fastrtps::rtps::GUID_t to_guid(const Gid& gid);
 
 // QoS of ROS endpoints in Fast DDS terms; data sharing off.
-eprosima::fastdds::dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data);
+eprosima::fastdds::dds::DataWriterQos writer_qos(
+    const Qos& qos, const std::string& user_data,
+    std::chrono::milliseconds heartbeat = EndpointOptions().heartbeat);
 eprosima::fastdds::dds::DataReaderQos reader_qos(const Qos& qos, const std::string& user_data);
 
 // What a discovered writer offers.

@@ -52,13 +52,14 @@ eprosima::fastrtps::rtps::GUID_t to_guid(const Gid& gid) {
   return guid;
 }
 
-dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data) {
+dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data,
+                              std::chrono::milliseconds heartbeat) {
   dds::DataWriterQos out;
   fill(out, qos, user_data);
   out.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
   // A reader that was not ready for the first message asks again at the next heartbeat: not after the default
   // of three seconds. Heartbeats are only sent while something is unacknowledged.
-  out.reliable_writer_qos().times.heartbeatPeriod = eprosima::fastrtps::Duration_t(0, 100'000'000);
+  out.reliable_writer_qos().times.heartbeatPeriod = to_duration(heartbeat);
   if (qos.lifespan.count() > 0) out.lifespan().duration = to_duration(qos.lifespan);
   return out;
 }

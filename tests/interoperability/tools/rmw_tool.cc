@@ -50,6 +50,11 @@ int finished(const char* what) {
   return 0;
 }
 
+int missed(const char* what) {
+  std::fprintf(stderr, "rmw_tool: no %s\n", what);
+  return 1;
+}
+
 bool is(const char* variable, const char* value) {
   const char* set = std::getenv(variable);
   return set != nullptr && std::string(set) == value;
@@ -193,7 +198,7 @@ int call(Tool& tool, const std::string& service, std::int64_t a, std::int64_t b)
   auto* reader = tool.reader("rr" + service + "Reply", response_type.dds_name, false, 10);
   auto* writer = tool.writer("rq" + service + "Request", request_type.dds_name, false, 10);
   // rmw_service_server_is_available: both matched.
-  if (!wait_for([&] { return matched(writer) && matched(reader); }, 1ms)) return 1;
+  if (!wait_for([&] { return matched(writer) && matched(reader); }, 1ms)) return missed("service");
   AddTwoInts::Request request;
   request.a(a);
   request.b(b);
@@ -204,18 +209,19 @@ int call(Tool& tool, const std::string& service, std::int64_t a, std::int64_t b)
   identity.related_sample_identity().writer_guid(reader->guid());
   writer->write(&out, identity);
   AddTwoInts::Response response;
-  const bool came = wait_for(
-      [&] {
-        detail::Incoming in;
-        in.support = &response_type;
-        in.layout = &detail::layout_of(response_type);
-        in.message = &response;
-        dds::SampleInfo info;
-        return reader->take_next_sample(&in, &info) == ReturnCode_t::RETCODE_OK && info.valid_data &&
-               info.related_sample_identity.writer_guid() == reader->guid();
-      },
-      1ms);
-  return came ? finished(std::to_string(response.sum()).c_str()) : 1;
+  // Every client of a service hears every reply: none may wait behind those of others.
+  const auto mine = [&] {
+    dds::SampleInfo info;
+    detail::Incoming in;
+    in.support = &response_type;
+    in.layout = &detail::layout_of(response_type);
+    in.message = &response;
+    while (reader->take_next_sample(&in, &info) == ReturnCode_t::RETCODE_OK) {
+      if (info.valid_data && info.related_sample_identity.writer_guid() == reader->guid()) return true;
+    }
+    return false;
+  };
+  return wait_for(mine, 1ms) ? finished(std::to_string(response.sum()).c_str()) : missed("answer");
 }
 
 int nodes(Tool& tool, double seconds, const std::string& name) {

@@ -49,10 +49,12 @@ TEST(BagMetadataTest, RefusesWhatItCannotTrust) {
   BagMetadata metadata;
   metadata.files.push_back({"a_0.mcap", 5, 6, 7});
   metadata.topics.push_back(topic_named("/odd: \"name\"\n"));
+  metadata.compression_format = ":\"\"";
   const std::string good = bag_metadata_yaml(metadata, Distro::kJazzy);
   const auto read = parse_bag_metadata(good);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->topics[0].name, metadata.topics[0].name) << "no name breaks the file";
+  EXPECT_EQ(read->compression_format, metadata.compression_format);
   const auto refused = [&](const std::string& what, const std::string& with) {
     const std::string bad = replaced(good, what, with);
     EXPECT_FALSE(parse_bag_metadata(bad)) << bad;
