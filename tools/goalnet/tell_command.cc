@@ -239,7 +239,9 @@ int tell_command(int argc, char** argv) {
     return refuse(checked.error());
   auto arguments = ros::parse_arguments({ros, argv + argc});
   if (!arguments) return refuse(arguments.error());
-  if (!options.name_space.empty()) arguments->node_namespace = options.name_space;
+  if (!options.name_space.empty())
+    arguments->remaps.insert(arguments->remaps.begin(),
+                             {"", ros::RemapKind::kNamespace, "", options.name_space});
   const auto context = ros::Context::create();
   if (!context) return refuse(context.error());
   ros::EventLoop loop;
