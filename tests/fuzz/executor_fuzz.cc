@@ -54,7 +54,9 @@ JointTrajectory trajectory(Bytes& bytes, const JointSample& command) {
     if ((flags & 64) != 0)
       for (std::size_t j = 0; j < made.joints.size(); ++j) point.velocity.push_back(bytes.number());
     made.points.push_back(point);
-    time += (flags & 128) != 0 ? bytes.take<std::int64_t>() : 1'000'000LL * bytes.take<std::uint16_t>();
+    const std::uint64_t step = (flags & 128) != 0 ? bytes.take<std::uint64_t>()
+                                                  : std::uint64_t{1'000'000} * bytes.take<std::uint16_t>();
+    time = static_cast<std::int64_t>(static_cast<std::uint64_t>(time) + step);  // may wrap around
   }
   return made;
 }

@@ -44,6 +44,11 @@ int main(int argc, char** argv) {
   tools::PlainEndpoint echo(domain, "rt/bench/plain_ping", "rt/bench/plain_pong",
                             [&plain](const std::string& text) { plain->write(text); });
   plain = &echo;
+  tools::PlainEndpoint* waiting = nullptr;
+  tools::PlainEndpoint waiting_echo(
+      domain, "rt/bench/waiting_ping", "rt/bench/waiting_pong",
+      [&waiting](const std::string& text) { waiting->write(text); }, tools::Hearing::kWaitSet);
+  waiting = &waiting_echo;
   std::jthread until_input_ends([&loop] {
     char byte = 0;
     while (read(0, &byte, 1) > 0) {

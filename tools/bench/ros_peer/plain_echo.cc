@@ -2,6 +2,9 @@
 
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
+#include <fastdds/dds/core/condition/GuardCondition.hpp>
+#include <fastdds/dds/core/condition/StatusCondition.hpp>
+#include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
@@ -15,6 +18,7 @@
 #include <fastdds/dds/topic/TopicDataType.hpp>
 
 #include <atomic>
+#include <thread>
 
 #include "std_msgs/msg/String.h"
 
@@ -68,7 +72,20 @@ struct PlainEndpoint::Impl : dds::DataReaderListener, dds::DataWriterListener {
   std::atomic<int> readers{0}, writers{0};
   dds::DomainParticipant* participant = nullptr;
   dds::DataWriter* writer = nullptr;
+  dds::GuardCondition end;
+  std::thread waiting;
 
+  void wait_for_messages(dds::DataReader* reader) {
+    dds::WaitSet set;
+    reader->get_statuscondition().set_enabled_statuses(dds::StatusMask::data_available());
+    set.attach_condition(reader->get_statuscondition());
+    set.attach_condition(end);
+    while (!end.get_trigger_value()) {
+      dds::ConditionSeq met;
+      set.wait(met, eprosima::fastrtps::c_TimeInfinite);
+      on_data_available(reader);
+    }
+  }
   void on_data_available(dds::DataReader* reader) override {
     String message;
     dds::SampleInfo info;
@@ -85,7 +102,7 @@ struct PlainEndpoint::Impl : dds::DataReaderListener, dds::DataWriterListener {
 };
 
 PlainEndpoint::PlainEndpoint(int domain, const std::string& read, const std::string& write,
-                             std::function<void(const std::string&)> on_message)
+                             std::function<void(const std::string&)> on_message, Hearing hearing)
     : impl_(std::make_unique<Impl>()) {
   impl_->on_message = std::move(on_message);
   auto qos = dds::PARTICIPANT_QOS_DEFAULT;
@@ -107,12 +124,17 @@ PlainEndpoint::PlainEndpoint(int domain, const std::string& read, const std::str
   impl_->writer =
       impl_->participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
           ->create_datawriter(out, writer_qos, impl_.get(), dds::StatusMask::publication_matched());
-  impl_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT)
-      ->create_datareader(in, reader_qos, impl_.get(),
-                          dds::StatusMask::data_available() << dds::StatusMask::subscription_matched());
+  auto mask = dds::StatusMask::subscription_matched();
+  if (hearing == Hearing::kListener) mask << dds::StatusMask::data_available();
+  auto* reader = impl_->participant->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT)
+                     ->create_datareader(in, reader_qos, impl_.get(), mask);
+  if (hearing == Hearing::kWaitSet)
+    impl_->waiting = std::thread([impl = impl_.get(), reader] { impl->wait_for_messages(reader); });
 }
 
 PlainEndpoint::~PlainEndpoint() {
+  impl_->end.set_trigger_value(true);
+  if (impl_->waiting.joinable()) impl_->waiting.join();
   impl_->participant->delete_contained_entities();
   dds::DomainParticipantFactory::get_instance()->delete_participant(impl_->participant);
 }
