@@ -44,6 +44,12 @@ void list(const Parameters& parameters, const srv::ListParameters_Request& reque
   result.prefixes().assign(prefixes.begin(), prefixes.end());
 }
 
+// rclcpp and rclpy answer with nothing at all where one of the names is unknown: `ros2 param get` then says
+// that the parameter is not set, and fails.
+bool all_declared(const Parameters& parameters, const std::vector<std::string>& names) {
+  return std::all_of(names.begin(), names.end(), [&](const auto& name) { return parameters.has(name); });
+}
+
 rcl_interfaces::msg::SetParametersResult result_of(const Expected<void>& outcome) {
   rcl_interfaces::msg::SetParametersResult result;
   result.successful(outcome.has_value());
@@ -101,41 +107,49 @@ void NodeServices::Impl::open_parameters() {
   // In rclcpp's and rclpy's order, so that node lists look alike.
   Parameters& parameters = node.parameters();
   events = node.advertise<rcl_interfaces::msg::ParameterEvent>("/parameter_events", Qos::parameters());
+  const Qos qos = Qos::parameters();
   describe = std::make_unique<Server<srv::DescribeParameters>>(
-      node, "~/describe_parameters", [&parameters](const auto& request, auto& response) {
-        for (const std::string& name : request.names()) {
-          const ParameterValue* value = parameters.find(name);
-          response.descriptors().push_back(value == nullptr
-                                               ? to_message(name, {}, {})
-                                               : to_message(name, *parameters.descriptor(name), *value));
-        }
-      });
+      node, "~/describe_parameters",
+      [&parameters](const auto& request, auto& response) {
+        if (!all_declared(parameters, request.names())) return;
+        for (const std::string& name : request.names())
+          response.descriptors().push_back(
+              to_message(name, *parameters.descriptor(name), *parameters.find(name)));
+      },
+      qos);
   get = std::make_unique<Server<srv::GetParameters>>(
-      node, "~/get_parameters", [&parameters](const auto& request, auto& response) {
-        for (const std::string& name : request.names()) {
-          const ParameterValue* value = parameters.find(name);
-          response.values().push_back(to_message(value == nullptr ? ParameterValue() : *value));
-        }
-      });
+      node, "~/get_parameters",
+      [&parameters](const auto& request, auto& response) {
+        if (!all_declared(parameters, request.names())) return;
+        for (const std::string& name : request.names())
+          response.values().push_back(to_message(*parameters.find(name)));
+      },
+      qos);
   get_types = std::make_unique<Server<srv::GetParameterTypes>>(
-      node, "~/get_parameter_types", [&parameters](const auto& request, auto& response) {
-        for (const std::string& name : request.names()) {
-          const ParameterValue* value = parameters.find(name);
-          response.types().push_back(value == nullptr ? 0 : static_cast<std::uint8_t>(value->index()));
-        }
-      });
+      node, "~/get_parameter_types",
+      [&parameters](const auto& request, auto& response) {
+        if (!all_declared(parameters, request.names())) return;
+        for (const std::string& name : request.names())
+          response.types().push_back(static_cast<std::uint8_t>(parameters.find(name)->index()));
+      },
+      qos);
   list_names = std::make_unique<Server<srv::ListParameters>>(
       node, "~/list_parameters",
-      [&parameters](const auto& request, auto& response) { list(parameters, request, response.result()); });
+      [&parameters](const auto& request, auto& response) { list(parameters, request, response.result()); },
+      qos);
   set_each = std::make_unique<Server<srv::SetParameters>>(
-      node, "~/set_parameters", [&parameters](const auto& request, auto& response) {
+      node, "~/set_parameters",
+      [&parameters](const auto& request, auto& response) {
         for (const auto& one : request.parameters())
           response.results().push_back(result_of(set(parameters, {one})));
-      });
+      },
+      qos);
   set_all = std::make_unique<Server<srv::SetParametersAtomically>>(
-      node, "~/set_parameters_atomically", [&parameters](const auto& request, auto& response) {
+      node, "~/set_parameters_atomically",
+      [&parameters](const auto& request, auto& response) {
         response.result(result_of(set(parameters, request.parameters())));
-      });
+      },
+      qos);
 }
 
 void NodeServices::Impl::open_loggers() {
@@ -153,11 +167,13 @@ void NodeServices::Impl::open_loggers() {
         for (const auto& level : request.levels()) {
           rcl_interfaces::msg::SetLoggerLevelsResult result;
           const bool known = level.name() == node.log().name();
-          const bool valid = level.level() % 10 == 0 && level.level() >= 10 && level.level() <= 50;
+          const bool valid = level.level() % 10 == 0 && level.level() <= 50;
           if (!known) result.reason("this node's logger is called " + node.log().name());
-          if (known && !valid) result.reason("a level is 10 (debug), 20, 30, 40 or 50 (fatal)");
+          if (known && !valid)
+            result.reason("a level is 10 (debug), 20, 30, 40 or 50 (fatal), or 0 for the default");
           result.successful(known && valid);
-          if (known && valid) node.log().set_level(static_cast<LogLevel>(level.level()));
+          const auto wanted = level.level() == 0 ? LogLevel::kInfo : static_cast<LogLevel>(level.level());
+          if (known && valid) node.log().set_level(wanted);
           response.results().push_back(result);
         }
       });

@@ -9,6 +9,8 @@
 #include "rcl_interfaces/msg/Log.h"
 #include "rcl_interfaces/msg/ParameterEvent.h"
 #include "rcl_interfaces/srv/DescribeParameters_service.h"
+#include "rcl_interfaces/srv/GetParameterTypes_service.h"
+#include "rcl_interfaces/srv/GetParameters_service.h"
 #include "rcl_interfaces/srv/ListParameters_service.h"
 #include "rcl_interfaces/srv/SetLoggerLevels_service.h"
 #include "rcl_interfaces/srv/SetParametersAtomically_service.h"
@@ -235,12 +237,30 @@ TEST_F(NodeTest, ParameterServices) {
   EXPECT_THAT(list.call_and_run(below, 2s)->result().names(), ElementsAre("limits.force", "limits.speed"));
 
   srv::DescribeParameters::Request names;
-  names.names({"limits.speed", "nothing"});
+  names.names({"limits.speed", "depth"});
   const auto described = describe.call_and_run(names, 2s);
   ASSERT_TRUE(described);
+  ASSERT_EQ(described->descriptors().size(), 2u);
   EXPECT_EQ(described->descriptors()[0].description(), "m/s");
   EXPECT_EQ(described->descriptors()[0].floating_point_range().at(0).step(), 0.5);
-  EXPECT_EQ(described->descriptors()[1].type(), 0);
+  EXPECT_EQ(described->descriptors()[1].type(), 2);
+
+  // A name that nobody declared empties the whole answer, as rclcpp's and rclpy's: `ros2 param get` fails by
+  // it.
+  Client<srv::GetParameters> get(tool, "/planner/get_parameters");
+  Client<srv::GetParameterTypes> get_types(tool, "/planner/get_parameter_types");
+  for (const bool declared : {true, false}) {
+    const std::vector<std::string> asked = {"depth", declared ? "use_sim_time" : "nothing"};
+    const std::size_t expected = declared ? 2 : 0;
+    srv::GetParameters::Request values;
+    values.names(asked);
+    EXPECT_EQ(get.call_and_run(values, 2s)->values().size(), expected);
+    srv::GetParameterTypes::Request types;
+    types.names(asked);
+    EXPECT_EQ(get_types.call_and_run(types, 2s)->types().size(), expected);
+    names.names(asked);
+    EXPECT_EQ(describe.call_and_run(names, 2s)->descriptors().size(), expected);
+  }
 
   ASSERT_EQ(events.size(), 1u) << "one change happened";
   EXPECT_EQ(events[0].node(), "/planner");
@@ -257,6 +277,11 @@ TEST_F(NodeTest, LoggerAndTypeServices) {
   request.levels({level});
   ASSERT_TRUE(levels.call_and_run(request, 2s)->results().at(0).successful());
   EXPECT_EQ(node.log().level(), LogLevel::kDebug);
+  request.levels()[0].level(0);  // unset: the default again
+  ASSERT_TRUE(levels.call_and_run(request, 2s)->results().at(0).successful());
+  EXPECT_EQ(node.log().level(), LogLevel::kInfo);
+  request.levels()[0].level(15);
+  EXPECT_FALSE(levels.call_and_run(request, 2s)->results().at(0).successful());
 
   using type_description_interfaces::srv::GetTypeDescription;
   Client<GetTypeDescription> types(node, "/planner/get_type_description");
