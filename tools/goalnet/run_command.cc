@@ -17,6 +17,7 @@
 #include "tools/goalnet/run_record.h"
 #include "tools/goalnet/stop_signal.h"
 #include "tools/goalnet/trace_printer.h"
+#include "tools/goalnet/untidy_start.h"
 
 namespace goalnet::tools {
 namespace {
@@ -26,6 +27,8 @@ using SteadyClock = std::chrono::steady_clock;
 // After Ctrl-C: the robot gets this long to come to rest before we leave all the same. A whole second is
 // promised.
 constexpr std::chrono::milliseconds kPatience{800};
+
+constexpr double kResting = 0.5, kRolling = 2.0;  // [s] simulated, until things lie still
 
 double since(SteadyClock::time_point start) {
   return std::chrono::duration<double>(SteadyClock::now() - start).count();
@@ -89,7 +92,8 @@ class Run {
     if (!loop) return tl::unexpected<Error>(std::move(loop.error()));
     loop_ = std::move(*loop);
     interruptible_ = loop_.get();
-    if (auto settled = loop_->settle(); !settled) return settled;
+    if (options_.untidy) make_untidy(loop_->world(), options_.seed);
+    if (auto settled = loop_->settle(options_.untidy ? kRolling : kResting); !settled) return settled;
     return {};
   }
 

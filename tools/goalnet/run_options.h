@@ -23,6 +23,7 @@ struct RunOptions {
   std::string render;                   // folder for a picture after each action; empty: none
   std::string record;                   // directory of a bag of everything; empty: none
   std::string record_storage = "mcap";  // or sqlite3
+  bool untidy = false;                  // things lie about, as the seed has it
   bool json = false;
   bool verbose = false;                    // components log to standard error
   std::vector<std::string> ros_arguments;  // after --ros-args
