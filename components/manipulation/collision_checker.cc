@@ -13,6 +13,9 @@ constexpr double kSelfMargin = 0.005;
 const char* const kFloor = "floor";
 
 bool contains(const PartSet& set, int part) { return std::find(set.begin(), set.end(), part) != set.end(); }
+bool contains_name(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 }  // namespace
 
@@ -48,6 +51,8 @@ CollisionChecker::CollisionChecker(const robot::RobotModel& model, const robot::
   }
   for (const auto& object : scene.objects)
     add(object.name, pieces_of(scene.model_of(object).shapes), Pose::Identity());
+  for (const auto& object : scene.objects)
+    bodies_[static_cast<std::size_t>(body_index_.at(object.name))].movable = true;
   for (const auto& m : scene.models) object_shapes_.emplace(m.name, PlacedShape(pieces_of(m.shapes)));
   scene::Shape floor;
   floor.size = Eigen::Vector3d(60, 60, 1);
@@ -172,6 +177,12 @@ bool CollisionChecker::rides(const std::string& object) const {
          bodies_[static_cast<std::size_t>(i)].riding;
 }
 
+void CollisionChecker::leave_out(const std::vector<std::string>& objects) {
+  for (Body& b : bodies_) b.left_out = false;
+  for (const std::string& name : objects)
+    if (const int i = body(name); i >= 0) bodies_[static_cast<std::size_t>(i)].left_out = true;
+}
+
 void CollisionChecker::pose_joint(const WorldView& world, const std::string& joint, double position) {
   const auto ref = scene_.find_joint(joint);
   if (!ref) return;
@@ -206,7 +217,7 @@ void CollisionChecker::visit_contacts(const std::vector<double>& q, const Collis
     if (shape.empty()) continue;
     const bool of_trunk = contains(trunk_parts_, part);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (!bodies_[b].present || (of_trunk && static_cast<int>(b) == floor_))
+      if (!bodies_[b].counts() || (of_trunk && static_cast<int>(b) == floor_))
         continue;  // the base stands on the floor
       const double limit = tolerances.limit(part, static_cast<int>(b), query.margin);
       if (limit == kAnyDepth) continue;
@@ -243,6 +254,20 @@ std::string CollisionChecker::explain(const std::vector<double>& q, const Collis
   return text;
 }
 
+std::vector<std::string> CollisionChecker::touched_objects(const std::vector<double>& q,
+                                                           const CollisionQuery& query) const {
+  std::vector<std::string> names;
+  visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
+    if (!is_body) return false;
+    const Body& other = bodies_[static_cast<std::size_t>(b)];
+    if (other.movable && !contains_name(names, other.name) &&
+        nearer_than(parts_[static_cast<std::size_t>(a)], other.shape, limit))
+      names.push_back(other.name);
+    return false;
+  });
+  return names;
+}
+
 Tolerances CollisionChecker::baseline(const std::vector<double>& q, const CollisionQuery& query,
                                       double least) const {
   Tolerances out = query.tolerances ? *query.tolerances : Tolerances();
@@ -270,7 +295,7 @@ bool CollisionChecker::hand_collides(const std::vector<double>& q, std::size_t a
       shape.place(to_tool * link_poses_[static_cast<std::size_t>(part)]);
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (!bodies_[b].present || bodies_[b].riding) continue;
+      if (!bodies_[b].counts() || bodies_[b].riding) continue;
       const double limit = tolerances.limit(part, static_cast<int>(b), margin);
       if (limit != kAnyDepth && nearer_than(shape, bodies_[b].shape, limit)) return true;
     }
@@ -285,7 +310,7 @@ bool CollisionChecker::object_fits(const std::string& object, const Pose& pose, 
   PlacedShape shape = object_shapes_.at(m->name);
   shape.place(pose);
   for (const auto& b : bodies_) {
-    if (!b.present || b.name == object || std::find(ignored.begin(), ignored.end(), b.name) != ignored.end())
+    if (!b.counts() || b.name == object || std::find(ignored.begin(), ignored.end(), b.name) != ignored.end())
       continue;
     if (nearer_than(shape, b.shape, margin)) return false;
   }

@@ -55,9 +55,15 @@ class CollisionChecker {
   void ignore_riding(bool ignore) { ignore_riding_ = ignore; }
   bool rides(const std::string& object) const;
 
+  // Objects that are taken for gone, in thought, until this is called again; empty: none. For finding out
+  // what is in the way.
+  void leave_out(const std::vector<std::string>& objects);
+
   bool collides(const std::vector<double>& q, const CollisionQuery& query) const;
   // The first pair found, for messages: "left_hand touches Kettle"; empty if there is none.
   std::string explain(const std::vector<double>& q, const CollisionQuery& query) const;
+  // All movable objects that the parts are too near to.
+  std::vector<std::string> touched_objects(const std::vector<double>& q, const CollisionQuery& query) const;
   // Tolerances for everything that is nearer than the margin in this posture already: from a touch one may
   // come away, but not press on. Pairs nearer than `least` [m] get none: they stay collisions.
   Tolerances baseline(const std::vector<double>& q, const CollisionQuery& query, double least = -1.0) const;
@@ -83,6 +89,9 @@ class CollisionChecker {
     PlacedShape shape;
     bool present = true;
     bool riding = false;
+    bool movable = false;
+    bool left_out = false;
+    bool counts() const { return present && !left_out; }
   };
   void place_robot(const std::vector<double>& q) const;
   std::string part_name(int part) const;

@@ -35,7 +35,9 @@ const std::vector<std::pair<std::string, std::size_t>>& skill_names() {
   return kNames;
 }
 
-Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action& action) {
+namespace {
+
+Expected<std::unique_ptr<Skill>> make_plain_skill(const Workbench& bench, const Action& action) {
   const auto& names = skill_names();
   const auto found =
       std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == action.name; });
@@ -130,6 +132,15 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
                 "'" + to_string(action) + "': nothing can be put in or on '" + action.arguments[1] + "'");
   }
   return Result(std::make_unique<PlaceSkill>(x, Where::kRegion, action.arguments[1]));
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action& action) {
+  auto skill = make_plain_skill(bench, action);
+  if (!skill || action.name == "moveto") return skill;
+  const std::set<std::string> arguments(action.arguments.begin(), action.arguments.end());
+  return Expected<std::unique_ptr<Skill>>(std::make_unique<RoomSkill>(std::move(*skill), arguments));
 }
 
 }  // namespace goalnet::manipulation

@@ -1,6 +1,10 @@
 #include "components/manipulation/phases.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "components/manipulation/in_the_way.h"
 
 namespace goalnet::manipulation {
 
@@ -103,18 +107,52 @@ void add_back_off(Phases& phases, const Workbench& bench) {
   }
 }
 
-void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solution) {
-  if (!solution.drives) return;
+namespace {
+
+// Straight away from what the robot stands before, arms as they are.
+Expected<JointTrajectory> step_back(Workbench& bench) {
+  const Stand here = bench.stand_of(bench.now());
+  Expected<JointTrajectory> motion = fail(Outcome::kMotionFailed, "no room to step back");
+  for (const double turn : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+    for (const double distance : {0.40, 0.25}) {
+      Stand back = here;
+      back.x -= distance * std::cos(here.yaw + turn);
+      back.y -= distance * std::sin(here.yaw + turn);
+      motion = bench.drive(back);
+      if (motion || motion.error().outcome == Outcome::kCancelled) return motion;
+    }
+  }
+  return motion;
+}
+
+// The arms into the posture in which the base drives. Where one finds no way into it, between boards or under
+// a door, the robot steps back first.
+void add_tuck(Phases& phases, const Workbench& bench) {
   for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
+    const auto has_failed = std::make_shared<bool>(false);
     Phase tuck;
     tuck.stage = "tuck";
-    tuck.optional = bench.hindered(arm);
-    tuck.plan = [arm](Workbench& b) -> Expected<JointTrajectory> {
+    tuck.plan = [arm, has_failed](Workbench& b) -> Expected<JointTrajectory> {
       if (b.is_tucked(arm)) return JointTrajectory{};
-      return b.tuck(arm);
+      auto motion = b.tuck(arm);
+      *has_failed = !motion && motion.error().outcome == Outcome::kMotionFailed;
+      return *has_failed ? step_back(b) : motion;
     };
+    tuck.optional = bench.hindered(arm);
     phases.push_back(tuck);
+    Phase again = tuck;
+    again.plan = [arm, has_failed](Workbench& b) -> Expected<JointTrajectory> {
+      return *has_failed ? b.tuck(arm) : JointTrajectory{};
+    };
+    phases.push_back(again);
   }
+}
+
+}  // namespace
+
+void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solution) {
+  if (!solution.drives) return;
+  add_tuck(phases, bench);
   Phase drive;
   drive.stage = "drive";
   drive.plan = [stand = solution.stand](Workbench& b) {
@@ -148,6 +186,9 @@ void add_way(Phases& phases, const Workbench& bench, const ReachSolution& soluti
 Expected<Reach> add_way_there(Phases& phases, Workbench& bench, const std::vector<Reach>& reaches,
                               const StandSearchOptions& options, const std::string& what) {
   const auto solution = find_stand(bench, reaches, options);
+  if (!solution && solution.error().outcome == Outcome::kMotionFailed && options.looks_for_obstacles) {
+    if (auto things = find_in_the_way(bench, reaches, options)) bench.note_in_the_way(std::move(things));
+  }
   if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
   const Reach& reach = reaches[solution->reach];
   add_way(phases, bench, *solution, reach);

@@ -4,6 +4,7 @@
 
 #include "components/manipulation/grasp_candidates.h"
 #include "components/manipulation/place_candidates.h"
+#include "components/manipulation/shape_grasps.h"
 #include "components/manipulation/skills.h"
 
 namespace goalnet::manipulation {
@@ -25,7 +26,7 @@ const scene::Region* region_around(const Workbench& bench, const Pose& object) {
   return nullptr;
 }
 
-std::vector<Reach> grasp_reaches(Workbench& bench, const std::string& object) {
+std::vector<Reach> grasp_reaches(Workbench& bench, const std::string& object, bool by_shape) {
   std::vector<Reach> out;
   const auto* model = bench.scene().find_model_of(object);
   const Pose* pose = bench.world().object(object);
@@ -36,7 +37,9 @@ std::vector<Reach> grasp_reaches(Workbench& bench, const std::string& object) {
   const int body = bench.checker().body(object);
   for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
     if (bench.held()[arm]) continue;
-    const auto candidates = grasp_candidates(model->grasps, bench.model().arms[arm].gripper);
+    const auto& gripper = bench.model().arms[arm].gripper;
+    const auto candidates =
+        by_shape ? shape_grasps(*model, *pose, gripper) : grasp_candidates(model->grasps, gripper);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const auto& c = candidates[i];
       Reach reach;
@@ -52,8 +55,9 @@ std::vector<Reach> grasp_reaches(Workbench& bench, const std::string& object) {
       }
       reach.tolerances.allow_all(bench.checker().hand_parts(arm), body);
       reach.opening = c.opening;
+      reach.width = c.width;
       reach.preference = c.preference;
-      reach.tag = arm * 10'000 + i;
+      reach.tag = arm * 10'000 + i + (by_shape ? kByShape : 0);
       out.push_back(std::move(reach));
     }
   }

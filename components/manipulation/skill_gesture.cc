@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 constexpr double kOver[] = {0.05,
                             0.11};  // [m] the lip above the receiver's mouth when things run: low is neat
 constexpr double kClear = 0.02;     // [m] everything else above it at any time
+constexpr double kUpright = 0.9;    // upward part of the axis of a mouth that things can be poured into
 constexpr double kBeyond = 0.20;    // [rad] more tilt than what makes contents run
 constexpr std::size_t kReserveTag = 100'000;  // ways in reserve are numbered from here
 constexpr double kTiltStep = 0.20;            // [rad]
@@ -178,6 +179,8 @@ Expected<Phases> GestureSkill::use(Workbench& bench, std::size_t arm) {
     } else if (const Pose* pose = bench.world().object(receiver_)) {
       const auto& cavity = *bench.scene().find_model_of(receiver_)->cavity;
       mouth = *pose * cavity.mouth;
+      if (mouth.linear()(2, 2) < kUpright)
+        return fail(Outcome::kMotionFailed, what_ + ": " + receiver_ + " does not stand upright");
       beside = 0.6 * cavity.radius;
     } else {
       return fail(Outcome::kMotionFailed, what_ + ": " + receiver_ + " cannot be seen");

@@ -1,11 +1,12 @@
 // grasp, and the way there.
 #include <cmath>
 
-#include "components/manipulation/grasp_candidates.h"
 #include "components/manipulation/skills.h"
 
 namespace goalnet::manipulation {
 namespace {
+
+constexpr int kMostStands = 3;
 
 // What the phases of one attempt tell each other.
 struct GraspState {
@@ -31,7 +32,16 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
   options.may_drive = !options.backwards;
   if (options.backwards) options.most_reaches = reaches.size();
   Phases phases;
-  const auto found = add_way_there(phases, bench, reaches, options, "grasp " + object_);
+  const std::string what = "grasp " + object_;
+  auto found = add_way_there(phases, bench, reaches, options, what);
+  if (!found && found.error().outcome == Outcome::kMotionFailed && only_.empty()) {
+    // It lies on its side, say: another look at its shape.
+    auto others = grasp_reaches(bench, object_, true);
+    std::erase_if(others, [&](const Reach& r) { return failed_.contains(r.tag); });
+    Expected<Reach> other = fail(Outcome::kMotionFailed, "");
+    if (!others.empty()) other = add_way_there(phases, bench, others, options, what);
+    if (other || other.error().outcome == Outcome::kCancelled) found = std::move(other);
+  }
   if (!found) return tl::unexpected<Error>(found.error());
   const Reach reach = *found;
   // A way that fails is not tried again; it is forgotten when it works, as the skill ends then.
@@ -39,8 +49,7 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
 
   const auto* model = bench.scene().find_model_of(object_);
   const std::size_t arm = reach.arm;
-  const std::size_t candidate = reach.tag % 10'000;
-  const double width = grasp_candidates(model->grasps, bench.model().arms[arm].gripper)[candidate].width;
+  const double width = reach.width;
   const auto state = std::make_shared<GraspState>();
   const std::string object = object_;
 
@@ -103,7 +112,9 @@ std::vector<Reach> pointing_at(const Workbench& bench, const Pose& object) {
 }  // namespace
 
 Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
-  if (number > 0) return fail(Outcome::kMotionFailed, "moveto " + object_ + ": no other way to get there");
+  // Stands that could not be got to are known by now and left out.
+  if (number >= kMostStands)
+    return fail(Outcome::kMotionFailed, "moveto " + object_ + ": no other way to get there");
   if (bench.arm_holding(object_)) return Phases{};
   struct Wish {
     std::vector<Reach> reaches;

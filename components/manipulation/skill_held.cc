@@ -7,6 +7,7 @@
 namespace goalnet::manipulation {
 namespace {
 
+constexpr double kLies = 0.3;           // [rad] something that leans more has fallen over
 constexpr std::size_t kMostGrips = 16;  // looked at: a search for each
 constexpr std::size_t kEnough = 4;      // grips that would do
 
@@ -60,6 +61,7 @@ bool HeldSkill::receiver_may_move(const Workbench& bench) const {
   const auto* region = region_around(bench, *pose);
   const auto& held = bench.held();
   const bool has_hand = std::any_of(held.begin(), held.end(), [](const auto& hand) { return !hand; });
+  if (has_hand && tilt_of(*pose) > kLies) return true;  // put down, it stands
   return has_hand && region != nullptr && !is_worktop(*region);
 }
 

@@ -2,20 +2,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/manipulation/in_the_way.h"
 #include "components/manipulation/place_candidates.h"
 #include "components/manipulation/skills.h"
 
 namespace goalnet::manipulation {
-namespace {
-
-constexpr double kStepBack = 0.35;    // [m]
-constexpr double kAsideOfTap = 0.20;  // [m] room for what comes under it, and for the hand that holds that
 
 struct PlaceWay {
   Reach reach;
   Pose object;              // where it should come to rest
   Eigen::Vector3d further;  // where the hand goes after letting go
 };
+
+namespace {
+
+constexpr double kStepBack = 0.35;    // [m]
+constexpr double kSmall = 0.30;       // [m] wide: a burner, where nothing is put that has to go somewhere
+constexpr double kClear = 0.30;       // [m] around a place that is to be kept clear
+constexpr double kAsideOfTap = 0.20;  // [m] room for what comes under it, and for the hand that holds that
 
 std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where where,
                                            const std::string& object, const std::string& region_name,
@@ -28,7 +32,10 @@ std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where w
   } else {
     for (const auto& region : bench.scene().regions) {
       // Worktops only: nobody wants what is released in the sink or on a burner.
-      if (is_worktop(region)) regions.push_back(&region);
+      if (is_worktop(region) ||
+          (region.name == region_name && region.relation == scene::RegionRelation::kOn &&
+           region.supports.front().size_y > kSmall))
+        regions.push_back(&region);
     }
   }
   const Stand here = bench.stand_of(bench.now());
@@ -121,6 +128,12 @@ std::vector<PlaceWay> ways(Workbench& bench, std::size_t arm, const std::vector<
   return out;
 }
 
+std::vector<Reach> reaches_of(const std::vector<PlaceWay>& ways) {
+  std::vector<Reach> reaches;
+  for (const auto& way : ways) reaches.push_back(way.reach);
+  return reaches;
+}
+
 // Whether the empty hand would get away from where it let go: a little way back, along its fingers.
 bool gets_away(const Workbench& bench, const Configuration& start, std::size_t arm,
                const ArmPositions& last) {
@@ -178,9 +191,8 @@ Expected<Phases> PlaceSkill::step_back(Workbench& bench) {
   return phases;
 }
 
-Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
-  if (where_ == Where::kTray && !failed_.empty() && !stepped_back_ && !bench.supposes())
-    return step_back(bench);
+// By what is free now; those that failed already are left out.
+std::vector<PlaceWay> PlaceSkill::find_ways(Workbench& bench, std::size_t arm) const {
   std::vector<const scene::Region*> origin;
   // What stood on the floor at the start is put down there.
   const bool on_floor = where_ == Where::kNearest && bench.scene().find_object(held_)->placement.on.empty();
@@ -188,25 +200,43 @@ Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
                           : on_floor             ? floor_candidates(bench, held_)
                                                  : candidates_for(bench, where_, held_, region_, origin);
   if (on_floor) origin.resize(candidates.size());
-  if (candidates.empty()) {
-    return fail(Outcome::kMotionFailed,
-                "no free place for " + held_ + (region_.empty() ? "" : " in or on " + region_));
-  }
   auto all = ways(bench, arm, candidates, origin);
-  std::erase_if(all, [&](const PlaceWay& w) { return failed_.contains(w.reach.tag); });
-  std::vector<Reach> reaches;
-  for (const auto& way : all) reaches.push_back(way.reach);
+  std::erase_if(all, [&](const PlaceWay& w) {
+    const bool near = keep_clear_ && (w.object.translation() - *keep_clear_).head<2>().norm() < kClear;
+    return near || failed_.contains(w.reach.tag);
+  });
+  return all;
+}
+
+Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
+  if (where_ == Where::kTray && !failed_.empty() && !stepped_back_ && !bench.supposes())
+    return step_back(bench);
+  const std::vector<PlaceWay> all = find_ways(bench, arm);
+  const std::vector<Reach> reaches = reaches_of(all);
   StandSearchOptions options;
   options.may_drive = where_ != Where::kTray;
   options.backwards = where_ == Where::kTray;
+  options.looks_for_obstacles = false;  // spots that are taken are not among these ways
   Phases phases;
   const StandSearchOptions anyhow = options;
   options.accept = [&](const Configuration& start, const Reach& reach, const auto& along) {
     return gets_away(bench, start, reach.arm, along.back());
   };
-  auto found = add_way_there(phases, bench, reaches, options, what_);
-  if (!found && found.error().outcome == Outcome::kMotionFailed)
-    found = add_way_there(phases, bench, reaches, anyhow, what_);
+  Expected<Reach> found = fail(
+      Outcome::kMotionFailed, "no free place for " + held_ + (region_.empty() ? "" : " in or on " + region_));
+  if (!reaches.empty()) {
+    found = add_way_there(phases, bench, reaches, options, what_);
+    if (!found && found.error().outcome == Outcome::kMotionFailed)
+      found = add_way_there(phases, bench, reaches, anyhow, what_);
+  }
+  if (!found && found.error().outcome == Outcome::kMotionFailed && !bench.supposes()) {
+    std::vector<Reach> wanted;
+    {
+      const ThingsAway scope(bench);
+      wanted = reaches_of(find_ways(bench, arm));
+    }
+    if (auto what = find_in_the_way(bench, wanted, anyhow)) bench.note_in_the_way(std::move(what));
+  }
   if (!found) return tl::unexpected<Error>(found.error());
   failed_.insert(found->tag);
   const PlaceWay way =

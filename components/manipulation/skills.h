@@ -11,6 +11,31 @@
 
 namespace goalnet::manipulation {
 
+// Does another skill. Where that finds no way because of things that stand about, a free hand puts them aside
+// first, one after the other, and it is tried again.
+class RoomSkill : public Skill {
+ public:
+  // `staying`: what must not be moved for it, the action's own arguments above all. `nested`: how many things
+  // are being moved for something else already.
+  RoomSkill(std::unique_ptr<Skill> doing, std::set<std::string> staying, int nested = 0);
+  Expected<Phases> attempt(Workbench& bench, int number) override;
+  bool unfinished() const override { return moving_ != Moving::kNot || doing_->unfinished(); }
+
+ private:
+  enum class Moving { kNot, kTakes, kPuts };
+  void begin_moving(const Workbench& bench, const InTheWay& what);
+  Expected<Phases> move(Workbench& bench, int number);
+
+  std::unique_ptr<Skill> doing_;
+  std::set<std::string> staying_;
+  int nested_;
+  Moving moving_ = Moving::kNot;
+  std::string aside_;  // what is moved, or was
+  std::unique_ptr<Skill> take_, put_;
+  int moved_ = 0;
+  int last_number_ = 0, failed_attempts_ = 0;
+};
+
 // moveto o: to where o can be reached.
 class MoveSkill : public Skill {
  public:
@@ -74,13 +99,21 @@ class HeldSkill : public Skill {
   std::unique_ptr<Skill> take_aside_, put_aside_;
 };
 
+struct PlaceWay;
+
 // keep-on / keep-in x place, release x (any free surface), stow x (the tray).
 class PlaceSkill : public HeldSkill {
  public:
   // kAside: in the region, but not where water runs.
   enum class Where { kRegion, kAside, kNearest, kTray };
-  PlaceSkill(std::string object, Where where, std::string region)
-      : HeldSkill("put down " + object, object), where_(where), region_(std::move(region)) {}
+  // With kNearest, `region` is one that will do besides worktops; may be empty. `keep_clear` [m, map frame]:
+  // not near there.
+  PlaceSkill(std::string object, Where where, std::string region,
+             std::optional<Eigen::Vector3d> keep_clear = std::nullopt)
+      : HeldSkill("put down " + object, object),
+        where_(where),
+        region_(std::move(region)),
+        keep_clear_(std::move(keep_clear)) {}
 
  private:
   friend class HeldSkill;  // puts down what it takes anew
@@ -89,9 +122,11 @@ class PlaceSkill : public HeldSkill {
   std::unique_ptr<Skill> make_room(const Workbench& bench, std::string& occupant) const override;
 
   Expected<Phases> step_back(Workbench& bench);
+  std::vector<PlaceWay> find_ways(Workbench& bench, std::size_t arm) const;
 
   Where where_;
   std::string region_;
+  std::optional<Eigen::Vector3d> keep_clear_;
   bool stepped_back_ = false;
 };
 
@@ -169,8 +204,11 @@ class TearSkill : public HeldSkill {
   Expected<Phases> use(Workbench& bench, std::size_t arm) override;
 };
 
-// Ways to take hold of an object with any empty hand. `pull`: offset of the last leg after lifting [m].
-std::vector<Reach> grasp_reaches(Workbench& bench, const std::string& object);
+// Ways to take hold of an object with any empty hand: those that the scene lists, or (`by_shape`) those that
+// shape_grasps() finds for how it lies. Tags: arm * 10'000 + number of the candidate, + kByShape for the
+// latter.
+constexpr std::size_t kByShape = 5'000;
+std::vector<Reach> grasp_reaches(Workbench& bench, const std::string& object, bool by_shape = false);
 // Ways to take hold of a moving part.
 std::vector<Reach> part_reaches(Workbench& bench, const scene::Scene::PartRef& ref);
 // Ways to press a button with closed fingers.

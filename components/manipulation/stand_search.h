@@ -15,6 +15,7 @@ struct Reach {
   std::vector<Pose> tool;  // map frame: the first is reached freely, the others along straight lines in order
   Tolerances tolerances;   // contacts that belong to the doing
   double opening = 0.0;    // [m] between the fingers meanwhile
+  double width = 0.0;      // [m] of what the fingers are to close upon; 0: nothing
   double preference = 0.0;  // [s] lower is better
   std::size_t tag = 0;      // the caller's own number for this way
 };
@@ -29,8 +30,9 @@ struct ReachSolution {
 struct StandSearchOptions {
   bool may_drive = true;
   bool may_lift = true;
-  bool stand_only = false;  // to stand where it is in reach is enough: both hands are full
-  bool backwards = false;   // hands may point back over the robot: to its tray
+  bool stand_only = false;          // to stand where it is in reach is enough: both hands are full
+  bool looks_for_obstacles = true;  // says what is in the way where there is none (add_way_there)
+  bool backwards = false;           // hands may point back over the robot: to its tray
   // Extra check of a whole solution, for example a door that swings through the robot; empty: none.
   std::function<bool(const Configuration& start, const Reach&, const std::vector<ArmPositions>&)> accept;
   std::size_t most_reaches = 60;   // per stand

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct DeadEnd {
   Stand stand;
   std::optional<std::size_t> arm;  // empty: the base
   ArmPositions posture{};          // [rad]
+};
+
+// What has to be put aside before a hand gets at what it should do, and where that is.
+struct InTheWay {
+  std::vector<std::string> things;                  // movable objects; never empty
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  // map frame [m]: keep this clear
 };
 
 // Belongs to one thread. Deterministic: the same calls give the same motions.
@@ -77,6 +84,12 @@ class Workbench {
   void forget_dead_ends() { dead_ends_.clear(); }
   bool leads_nowhere(const Stand& stand) const;
   bool leads_nowhere(const Stand& stand, std::size_t arm, const ArmPositions& posture) const;
+
+  // What was found to be in the way when a skill found no way; and what must not be moved for it.
+  void note_in_the_way(std::optional<InTheWay> what) { in_the_way_ = std::move(what); }
+  const std::optional<InTheWay>& in_the_way() const { return in_the_way_; }
+  void set_staying(std::set<std::string> things) { staying_ = std::move(things); }
+  const std::set<std::string>& staying() const { return staying_; }
 
   // An arm that something kept from following its motion: tried last, and not waited for, until it has
   // completed a motion or the next instruction comes.
@@ -152,6 +165,8 @@ class Workbench {
   std::vector<std::optional<ArmPositions>> carry_;       // posture in which each arm was last tucked
   std::vector<DeadEnd> dead_ends_;
   std::vector<bool> hindered_;  // by arm
+  std::optional<InTheWay> in_the_way_;
+  std::set<std::string> staying_;
   std::function<bool()> stopped_;
 };
 

@@ -1,0 +1,92 @@
+// Untidy places in simulated physics: what stands in the way is put aside, what has fallen over is picked up.
+#include <gtest/gtest.h>
+
+#include "components/manipulation/phases.h"
+#include "components/manipulation/testing/physics_harness.h"
+
+namespace goalnet::manipulation {
+namespace {
+
+class UntidyKitchen : public testing::Test {
+ protected:
+  std::size_t index(const std::string& name) const {
+    const auto& objects = harness_->bench().scene().objects;
+    const auto found =
+        std::find_if(objects.begin(), objects.end(), [&](const auto& o) { return o.name == name; });
+    return static_cast<std::size_t>(found - objects.begin());
+  }
+  Pose pose(const std::string& name) const { return harness_->world().object_pose(index(name)); }
+  void put(const std::string& name, const Pose& pose) {
+    harness_->world().set_object_pose(index(name), pose);
+  }
+  void lay(const std::string& name) {
+    Pose on_its_side = pose(name);
+    on_its_side.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    on_its_side.translation().z() += harness_->bench().scene().find_model_of(name)->footprint_radius() + 0.01;
+    put(name, on_its_side);
+    harness_->wait(1.0);
+    ASSERT_GT(tilt(name), 1.2);
+  }
+  double tilt(const std::string& name) const { return tilt_of(pose(name)); }
+  void expect_done(const Action& action) {
+    const auto result = harness_->run(action, 120.0);
+    EXPECT_EQ(result.result.outcome, Outcome::kDone) << to_string(action) << ": " << result.result.message;
+    harness_->wait(0.5);
+  }
+  std::unique_ptr<PhysicsHarness> harness_ =
+      std::move(PhysicsHarness::create("kitchen", "default", 1).value());
+};
+
+TEST_F(UntidyKitchen, WhatStandsOnTheBurnerIsPutAside) {
+  Pose there = pose("LongCup_1");
+  const auto& region = *harness_->bench().scene().find_region("StoveFire_1");
+  there.translation() =
+      (harness_->bench().scene().find_fixture("Stove")->pose * region.supports.front().frame).translation();
+  there.translation().z() += 0.003;
+  put("LongCup_1", there);
+  harness_->wait(1.0);
+  for (const char* step : {"moveto", "grasp"}) expect_done({step, {"Kettle"}});
+  expect_done({"keep-on", {"Kettle", "StoveFire_1"}});
+  EXPECT_TRUE(harness_->facts().contains({"On", "Kettle", "StoveFire_1"}));
+  EXPECT_TRUE(harness_->facts().contains({"On", "LongCup_1", "Counter_1"}));
+  EXPECT_LT(tilt("LongCup_1"), 0.1);
+  EXPECT_TRUE(harness_->world().held().empty());
+}
+
+TEST_F(UntidyKitchen, NeighboursWithoutRoomForFingersArePutAside) {
+  // Cans all around a cup, nearer than a finger is thick, and as tall as it.
+  const Pose middle = pose("LongCup_1");
+  const double away = 0.036 + 0.033 + 0.006;
+  int direction = 0;
+  for (const char* name : {"Coke_1", "Glass_1", "CanadaDry_1", "EnergyDrink_1"}) {
+    Pose beside = middle;
+    beside.translation() +=
+        away * Eigen::Vector3d(std::cos(direction * M_PI / 2), std::sin(direction * M_PI / 2), 0);
+    put(name, beside);
+    ++direction;
+  }
+  harness_->wait(1.0);
+  expect_done({"moveto", {"LongCup_1"}});
+  expect_done({"grasp", {"LongCup_1"}});
+  EXPECT_TRUE(harness_->facts().contains({"Grasping", "Robot", "LongCup_1"}));
+  EXPECT_EQ(harness_->world().held().size(), 1u);
+}
+
+TEST_F(UntidyKitchen, AFallenShakerIsTakenAndPutUpright) {
+  lay("Salt_1");
+  for (const char* step : {"moveto", "grasp"}) expect_done({step, {"Salt_1"}});
+  expect_done({"keep-on", {"Salt_1", "Counter_1"}});
+  EXPECT_TRUE(harness_->facts().contains({"On", "Salt_1", "Counter_1"}));
+  EXPECT_LT(tilt("Salt_1"), 0.1);
+}
+
+TEST_F(UntidyKitchen, AFallenMugIsPutUprightBeforeASpoonGoesIn) {
+  lay("Mug_1");
+  for (const char* step : {"moveto", "grasp"}) expect_done({step, {"Spoon_1"}});
+  expect_done({"place-utensil", {"Spoon_1", "Mug_1"}});
+  EXPECT_TRUE(harness_->facts().contains({"In", "Spoon_1", "Mug_1"}));
+  EXPECT_LT(tilt("Mug_1"), 0.1);
+}
+
+}  // namespace
+}  // namespace goalnet::manipulation
