@@ -22,6 +22,8 @@ class DomainParser : public Parser {
   bool read();
   bool section();
   bool requirements();
+  bool unsupported(const Token& requirement);
+  bool check_numeric_requirement();
   bool once(bool* seen, const Token& word);
   // "a b - c (…)": parents may be declared later, or not at all (then they are below object).
   bool types(const Token& section_word);
@@ -44,6 +46,7 @@ class DomainParser : public Parser {
   Chunks<std::pair<PredicateId, Token>> changed_;  // where effects change which predicate
   std::vector<AtomPattern> cost_functions_;        // of the action at hand
   std::vector<Token> derived_names_;
+  Token numeric_requirement_;
 };
 
 }  // namespace goalnet::planner

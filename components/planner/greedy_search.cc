@@ -51,7 +51,7 @@ std::int64_t GreedySearch::undone_goals(const GroundTask& task, const RelaxedPla
 }
 
 std::int32_t GreedySearch::look_ahead(const GroundTask& task, const RelaxedPlanner& heuristic,
-                                      const DeadPairs& dead, std::int32_t id, std::int64_t upper_bound,
+                                      const Pruning& pruning, std::int32_t id, std::int64_t upper_bound,
                                       Budget& budget) {
   rest_ = heuristic.actions();
   const std::int32_t first_new = states_.size();
@@ -67,12 +67,12 @@ std::int32_t GreedySearch::look_ahead(const GroundTask& task, const RelaxedPlann
         continue;
       }
       apply_action(task, states_.state(id), action, next_.data());
-      if (dead.dead_after(task, action, next_.data())) {
+      if (pruning.dead.dead_after(task, action, next_.data())) {
         rest_[kept++] = number;
         continue;
       }
       bool is_new = false;
-      const std::int32_t next = states_.add(next_.data(), next_.data(), &is_new);
+      const std::int32_t next = pruning.add(states_, next_.data(), key_, &is_new);
       if (is_new) nodes_.push_back({id, number, g, false});
       id = next;
       progress = true;
@@ -85,9 +85,9 @@ std::int32_t GreedySearch::look_ahead(const GroundTask& task, const RelaxedPlann
 GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner& heuristic,
                                           const Word* initial, std::int64_t upper_bound,
                                           std::int64_t most_states, std::int64_t most_bytes, Budget& budget,
-                                          Statistics& statistics, const DeadPairs& dead, Style style) {
+                                          Statistics& statistics, const Pruning& pruning, Style style) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
-  states_.restart(words, false);
+  pruning.restart(states_, words);
   nodes_.clear();
   for (Queue* queue : {&all_, &preferred_}) {
     queue->heap.clear();
@@ -124,7 +124,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
       }
       if (h >= before) break;
       before = h;
-      id = look_ahead(task, heuristic, dead, id, upper_bound, budget);
+      id = look_ahead(task, heuristic, pruning, id, upper_bound, budget);
     }
     return -1;
   };
@@ -158,9 +158,9 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
       const std::int64_t g = nodes_[static_cast<std::size_t>(id)].g + action.cost;
       if (g >= upper_bound) continue;
       apply_action(task, states_.state(id), action, next_.data());
-      if (dead.dead_after(task, action, next_.data())) continue;
+      if (pruning.dead.dead_after(task, action, next_.data())) continue;
       bool is_new_state = false;
-      const std::int32_t child = states_.add(next_.data(), next_.data(), &is_new_state);
+      const std::int32_t child = pruning.add(states_, next_.data(), key_, &is_new_state);
       ++statistics.generated;
       if (!is_new_state) continue;
       nodes_.push_back({id, number, g, false});
@@ -178,7 +178,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
   };
 
   bool is_new = false;
-  states_.add(initial, initial, &is_new);
+  pruning.add(states_, initial, key_, &is_new);
   nodes_.push_back({});
   Result result = Result::kExhausted;
   if (const std::int32_t goal = style == Style::kEager ? estimate(0, false) : open(0); goal >= 0) {
@@ -208,8 +208,8 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
     const std::int64_t g = nodes_[static_cast<std::size_t>(entry.parent)].g + action.cost;
     if (g >= upper_bound) continue;
     apply_action(task, states_.state(entry.parent), action, next_.data());
-    if (dead.dead_after(task, action, next_.data())) continue;
-    const std::int32_t id = states_.add(next_.data(), next_.data(), &is_new);
+    if (pruning.dead.dead_after(task, action, next_.data())) continue;
+    const std::int32_t id = pruning.add(states_, next_.data(), key_, &is_new);
     ++statistics.generated;
     if (is_new) nodes_.push_back({entry.parent, entry.action, g, false});
     if (nodes_[static_cast<std::size_t>(id)].opened) continue;

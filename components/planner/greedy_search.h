@@ -9,8 +9,8 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/chunks.h"
-#include "components/planner/dead_pairs.h"
 #include "components/planner/plan.h"
+#include "components/planner/pruning.h"
 #include "components/planner/relaxed_plan.h"
 #include "components/planner/state_table.h"
 
@@ -29,7 +29,7 @@ class GreedySearch {
   // Only plans cheaper than `upper_bound` count.
   Result search(const GroundTask& task, RelaxedPlanner& heuristic, const Word* initial,
                 std::int64_t upper_bound, std::int64_t most_states, std::int64_t most_bytes, Budget& budget,
-                Statistics& statistics, const DeadPairs& dead, Style style = Style::kLazy);
+                Statistics& statistics, const Pruning& pruning, Style style = Style::kLazy);
   const std::vector<std::int32_t>& plan() const { return plan_; }
 
  private:
@@ -58,7 +58,7 @@ class GreedySearch {
   std::int64_t undone_goals(const GroundTask& task, const RelaxedPlanner& heuristic, const Word* state);
   // Carries out the last relaxed plan from state `id`, as far as its actions apply in some order. The new
   // state where that ends, or -1.
-  std::int32_t look_ahead(const GroundTask& task, const RelaxedPlanner& heuristic, const DeadPairs& dead,
+  std::int32_t look_ahead(const GroundTask& task, const RelaxedPlanner& heuristic, const Pruning& pruning,
                           std::int32_t id, std::int64_t upper_bound, Budget& budget);
   void push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action);
 
@@ -66,7 +66,7 @@ class GreedySearch {
   Chunks<Node> nodes_;
   Queue all_, preferred_;
   std::int64_t serial_ = 0;
-  std::vector<Word> next_;
+  std::vector<Word> next_, key_;
   std::vector<std::int32_t> rest_;
   std::vector<std::uint8_t> is_goal_;  // by literal; 2 while counted
   std::vector<Literal> undone_;

@@ -24,6 +24,7 @@ void Grounder::restart() {
   queue_.clear();
   queue_next_ = 0;
   stopped_ = too_large_ = false;
+  without_cost_ = -1;
 }
 
 Grounder::Result Grounder::ground(ProblemIndex& index, const Formula& goal,
@@ -152,7 +153,10 @@ std::int32_t Grounder::action_for(std::int32_t schema_index, bool create) {
   if (!binder_.static_part_holds(schema.precondition)) return -1;
   if (!attainable_.can_hold(schema.precondition.fluent, binder_.data())) return -1;
   const std::int64_t cost = index_->cost(schema.cost, binder_.data());
-  if (cost < 0) return -1;
+  if (cost < 0) {
+    without_cost_ = schema_index;
+    return -1;
+  }
   const auto begin = static_cast<std::uint32_t>(task_->conditions.size());
   if (!instantiate(schema.precondition, &task_->conditions)) {
     task_->conditions.truncate(begin);

@@ -37,6 +37,8 @@ class Grounder {
   // `goal` in normal form, its quantified variables of the types `goal_slots`.
   Result ground(ProblemIndex& index, const Formula& goal, std::span<const TypeSet> goal_slots, Budget& budget,
                 GroundTask& task);
+  // A schema of which some instance was left out because the problem gives no value for its cost, or -1.
+  std::int32_t without_cost() const { return without_cost_; }
 
  private:
   struct RawEffect {
@@ -90,6 +92,7 @@ class Grounder {
   std::span<const TypeSet> slots_;  // types of the variables at hand
   bool stopped_ = false, too_large_ = false;
   std::size_t most_actions_ = kMostActions;
+  std::int32_t without_cost_ = -1;
 
   Binder binder_;  // of the schema at hand
   Attainable attainable_;

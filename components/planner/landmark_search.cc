@@ -61,9 +61,9 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
                                               Landmarks& landmarks, const Word* initial,
                                               std::int64_t upper_bound, std::int64_t most_states,
                                               std::int64_t most_bytes, Budget& budget, Statistics& statistics,
-                                              const DeadPairs& dead) {
+                                              const Pruning& pruning) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
-  states_.restart(words, false);
+  pruning.restart(states_, words);
   nodes_.clear();
   for (Queue& queue : queues_) {
     queue.heap.clear();
@@ -80,7 +80,7 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
   const std::int64_t last =
       most_states < INT64_MAX - statistics.evaluated ? statistics.evaluated + most_states : INT64_MAX;
   bool is_new = false;
-  states_.add(initial, initial, &is_new);
+  pruning.add(states_, initial, key_, &is_new);
   nodes_.push_back({});
   landmarks.note(initial, next_reached_.data());
   reached_.push_back(next_reached_.data());
@@ -101,8 +101,8 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
     if (g >= upper_bound) continue;
     apply_action(task, states_.state(entry.parent), action, next_.data());
     ++statistics.generated;
-    if (dead.dead_after(task, action, next_.data())) continue;
-    const std::int32_t id = states_.add(next_.data(), next_.data(), &is_new);
+    if (pruning.dead.dead_after(task, action, next_.data())) continue;
+    const std::int32_t id = pruning.add(states_, next_.data(), key_, &is_new);
     if (!is_new) continue;
     nodes_.push_back({g, entry.parent, entry.action});
     std::copy_n(reached(entry.parent), landmark_words_, next_reached_.begin());

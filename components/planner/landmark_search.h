@@ -10,10 +10,10 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/chunks.h"
-#include "components/planner/dead_pairs.h"
 #include "components/planner/greedy_search.h"
 #include "components/planner/landmarks.h"
 #include "components/planner/plan.h"
+#include "components/planner/pruning.h"
 #include "components/planner/relaxed_plan.h"
 #include "components/planner/state_table.h"
 
@@ -27,7 +27,7 @@ class LandmarkSearch {
   // Only plans cheaper than `upper_bound` count.
   Result search(const GroundTask& task, RelaxedPlanner& heuristic, Landmarks& landmarks, const Word* initial,
                 std::int64_t upper_bound, std::int64_t most_states, std::int64_t most_bytes, Budget& budget,
-                Statistics& statistics, const DeadPairs& dead);
+                Statistics& statistics, const Pruning& pruning);
   const std::vector<std::int32_t>& plan() const { return plan_; }
 
  private:
@@ -61,7 +61,7 @@ class LandmarkSearch {
   std::size_t landmark_words_ = 1;
   std::array<Queue, kQueues> queues_;
   std::int64_t serial_ = 0, best_by_plan_ = 0, best_by_landmarks_ = 0;
-  std::vector<Word> next_, next_reached_;
+  std::vector<Word> next_, next_reached_, key_;
   std::vector<std::uint8_t> preferred_;  // by action
   std::vector<std::int32_t> plan_;
 };

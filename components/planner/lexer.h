@@ -19,7 +19,10 @@ struct Token {
 class Lexer {
  public:
   // Ends soon after `stop` asks, as if the text ended there.
-  Lexer(std::string_view text, std::stop_token stop) : text_(text), stop_(std::move(stop)) { advance(); }
+  Lexer(std::string_view text, std::stop_token stop) : text_(text), stop_(std::move(stop)) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // the mark that some editors put there
+    advance();
+  }
 
   const Token& peek() const { return token_; }
   Token next() {

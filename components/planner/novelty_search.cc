@@ -84,10 +84,10 @@ std::int64_t NoveltySearch::bytes() const {
 NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& landmarks, const Word* initial,
                                             std::int64_t upper_bound, std::int64_t most_states,
                                             std::int64_t most_bytes, bool committed, Budget& budget,
-                                            Statistics& statistics, const DeadPairs& dead) {
+                                            Statistics& statistics, const Pruning& pruning) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   successors_.restart(task);
-  states_.restart(words, false);
+  pruning.restart(states_, words);
   nodes_.clear();
   heap_.clear();
   forget_seen();
@@ -97,7 +97,7 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
   next_reached_.assign(landmark_words_, 0);
   plan_.clear();
   bool is_new_state = false;
-  states_.add(initial, initial, &is_new_state);
+  pruning.add(states_, initial, key_, &is_new_state);
   nodes_.push_back({});
   landmarks.note(initial, next_reached_.data());
   reached_.push_back(next_reached_.data());
@@ -117,8 +117,8 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
       if (g >= upper_bound) continue;
       apply_action(task, states_.state(id), action, next_.data());
       ++statistics.generated;
-      if (dead.dead_after(task, action, next_.data())) continue;
-      const std::int32_t child = states_.add(next_.data(), next_.data(), &is_new_state);
+      if (pruning.dead.dead_after(task, action, next_.data())) continue;
+      const std::int32_t child = pruning.add(states_, next_.data(), key_, &is_new_state);
       if (!is_new_state) continue;
       nodes_.push_back({g, id, number});
       if (all_hold(task, next_.data(), task.goal)) {

@@ -13,10 +13,10 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/chunks.h"
-#include "components/planner/dead_pairs.h"
 #include "components/planner/greedy_search.h"
 #include "components/planner/landmarks.h"
 #include "components/planner/plan.h"
+#include "components/planner/pruning.h"
 #include "components/planner/state_table.h"
 #include "components/planner/successors.h"
 
@@ -31,7 +31,7 @@ class NoveltySearch {
   // plan.
   Result search(const GroundTask& task, Landmarks& landmarks, const Word* initial, std::int64_t upper_bound,
                 std::int64_t most_states, std::int64_t most_bytes, bool committed, Budget& budget,
-                Statistics& statistics, const DeadPairs& dead);
+                Statistics& statistics, const Pruning& pruning);
   const std::vector<std::int32_t>& plan() const { return plan_; }
 
  private:
@@ -70,7 +70,7 @@ class NoveltySearch {
   std::vector<std::vector<Word>> seen_true_, seen_false_;  // by number of missing landmarks: atoms
   std::vector<std::vector<Word>> seen_pairs_;              // likewise: a row of atoms for every atom
   std::size_t pair_bytes_ = 0;
-  std::vector<Word> next_, next_reached_;
+  std::vector<Word> next_, next_reached_, key_;
   std::vector<std::int32_t> applicable_, plan_;
 };
 

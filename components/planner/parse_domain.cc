@@ -20,7 +20,7 @@ bool DomainParser::read() {
     next();
     if (!section()) return false;
   }
-  return expect_close("the domain") && expect_end() && check_derived();
+  return expect_close("the domain") && expect_end() && check_numeric_requirement() && check_derived();
 }
 
 bool DomainParser::section() {
@@ -61,14 +61,28 @@ bool DomainParser::requirements() {
   while (!failed() && peek().kind != Token::Kind::kClose) {
     Token word;
     if (!expect_word("a requirement", &word)) return false;
+    if (is(word, ":fluents") || is(word, ":numeric-fluents")) {
+      numeric_requirement_ = word;  // judged when it is known what numbers there are
+      continue;
+    }
     if (std::none_of(std::begin(kSupported), std::end(kSupported),
                      [&](const char* r) { return is(word, r); })) {
-      return fail_at(word.offset, "requirement " + quoted(word) +
-                                      " is not supported (supported: PDDL 2.1's ADL part, :action-costs and "
-                                      ":derived-predicates)");
+      return unsupported(word);
     }
   }
   return expect_close(":requirements");
+}
+
+bool DomainParser::unsupported(const Token& requirement) {
+  return fail_at(requirement.offset, "requirement " + quoted(requirement) +
+                                         " is not supported (supported: PDDL 2.1's ADL part, :action-costs "
+                                         "and :derived-predicates)");
+}
+
+// PDDL 2.1 has no :action-costs: there a domain with a total-cost asks for numbers.
+bool DomainParser::check_numeric_requirement() {
+  if (numeric_requirement_.kind != Token::Kind::kWord) return true;
+  return domain_.functions.find("total-cost") != SymbolTable::kNone || unsupported(numeric_requirement_);
 }
 
 bool DomainParser::once(bool* seen, const Token& word) {

@@ -74,9 +74,10 @@ bool Parser::expect_word(const char* what, Token* word) {
   return fail_at(word->offset, std::string("expected ") + what + ", found " + quoted(*word));
 }
 
-bool Parser::check_name(const Token& word, const char* what) {
+bool Parser::check_name(const Token& word, const char* what, bool digits) {
   if (failed()) return false;
-  if (is_letter(word.text.front())) return true;
+  const char first = word.text.front();
+  if (is_letter(first) || (digits && first >= '0' && first <= '9')) return true;
   return fail_at(word.offset, std::string(what) + " " + quoted(word) + " does not start with a letter");
 }
 
@@ -141,7 +142,7 @@ bool Parser::typed_list(const Domain& domain, bool variables, const char* what, 
         if (word.text.size() < 2 || word.text.front() != '?') {
           return fail_at(word.offset, "expected a variable like ?x, found " + quoted(word));
         }
-      } else if (!check_name(word, what)) {
+      } else if (!check_name(word, what, true)) {  // objects are often numbered
         return false;
       }
       result->push_back({word.text, word.offset, {}});

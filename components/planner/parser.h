@@ -58,8 +58,8 @@ class Parser {
   // "(define (KIND NAME)"; sets name.
   bool expect_header(std::string_view kind, std::string* name);
   bool expect_end();
-  // A name of ours: letters, digits, '-', '_'..., starting with a letter.
-  bool check_name(const Token& word, const char* what);
+  // A name of ours: letters, digits, '-', '_'..., starting with a letter, or with a digit where `digits`.
+  bool check_name(const Token& word, const char* what, bool digits = false);
   // Skips to the closing parenthesis of what was opened.
   bool skip_rest();
 

@@ -56,7 +56,14 @@ Expected<Plan> Planner::Impl::solve(const Problem& problem, const SolveOptions& 
       }
     }
   }
-  return search(problem, options, budget);
+  auto answer = search(problem, options, budget);
+  if (!answer && answer.error().outcome == Outcome::kNoPlan && grounder.without_cost() >= 0) {
+    const auto& schema = compiled.schemas[static_cast<std::size_t>(grounder.without_cost())];
+    answer.error().message += "; where the problem gives no value for the cost of action " +
+                              std::string(domain.actions[static_cast<std::size_t>(schema.action)].name) +
+                              ", that action cannot be used";
+  }
+  return answer;
 }
 
 Expected<Plan> Planner::Impl::search(const Problem& problem, const SolveOptions& options, Budget& budget) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "components/planner/dead_pairs.h"
 #include "components/planner/landmark_search.h"
 #include "components/planner/landmarks.h"
 #include "components/planner/novelty_search.h"
 #include "components/planner/pair_reachability.h"
+#include "components/planner/pruning.h"
 
 namespace goalnet::planner {
 namespace {
@@ -41,7 +41,7 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
   LandmarkSearch landmark_search;
   NoveltySearch novelty;
   Landmarks landmarks;
-  DeadPairs dead;
+  Pruning pruning;
   bool landmarks_known = false;
   const auto keep = [&](std::vector<std::int32_t> plan, const char* method) {
     shorten_plan(task, initial, budget, &plan);
@@ -60,8 +60,10 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
         PairReachability pairs;
         pairs.compute(task, budget);
         landmarks.find(relaxed, pairs, initial, budget);
-        dead.compute(task, pairs, budget);
-        if (dead.dead(initial)) return found ? Result::kFound : Result::kExhausted;
+        pruning.dead.compute(task, pairs, budget);
+        pruning.symmetry.find(task, budget);
+        statistics.symmetries = std::max(statistics.symmetries, pruning.symmetry.count());
+        if (pruning.dead.dead(initial)) return found ? Result::kFound : Result::kExhausted;
         landmarks_known = true;
         if (budget.check()) break;
       }
@@ -69,25 +71,25 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
       switch (method) {
         case 0:
           result = greedy.search(task, heuristic, initial, bound, states, options.bytes, budget, statistics,
-                                 dead, Style::kLazy);
+                                 pruning, Style::kLazy);
           if (result == Result::kFound) keep(greedy.plan(), "greedy search");
           break;
         case 1:
           for (const bool committed : {true, false}) {
             result = novelty.search(task, landmarks, initial, bound, kNewPerState * states, options.bytes,
-                                    committed, budget, statistics, dead);
+                                    committed, budget, statistics, pruning);
             if (result == Result::kFound) break;
           }
           if (result == Result::kFound) keep(novelty.plan(), "novelty search");
           break;
         case 2:
           result = landmark_search.search(task, heuristic, landmarks, initial, bound, states, options.bytes,
-                                          budget, statistics, dead);
+                                          budget, statistics, pruning);
           if (result == Result::kFound) keep(landmark_search.plan(), "landmark search");
           break;
         default:
           result = greedy.search(task, heuristic, initial, bound, states, options.bytes, budget, statistics,
-                                 dead, Style::kEager);
+                                 pruning, Style::kEager);
           if (result == Result::kFound) keep(greedy.plan(), "eager greedy search");
           break;
       }

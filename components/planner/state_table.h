@@ -58,6 +58,7 @@ class StateTable {
     return count_ - 1;
   }
   std::int32_t size() const { return count_; }
+  std::size_t words() const { return words_; }
   std::int64_t bytes() const {
     std::size_t slots = 0;
     for (const Shard& shard : shards_) slots += shard.slots.capacity();

@@ -49,7 +49,8 @@ TEST(DomainParser, NamesWhatIsWrongAndWhere) {
   EXPECT_THAT(with(":adl", ":durative-actions"),
               HasSubstr("1:38: requirement ':durative-actions' is not supported"));
   EXPECT_THAT(with(":adl", ":preferences"), HasSubstr("':preferences' is not supported"));
-  EXPECT_THAT(with(":adl", ":numeric-fluents"), HasSubstr("':numeric-fluents' is not supported"));
+  EXPECT_THAT(domain_error("(define (domain d) (:requirements :numeric-fluents) (:predicates (p)))"),
+              HasSubstr("1:35: requirement ':numeric-fluents' is not supported"));
   EXPECT_THAT(with("(not (on ?c ?t))", "(not (onn ?c ?t))"),
               HasSubstr("7:22: unknown predicate 'onn' (did you mean on?)"));
   EXPECT_THAT(with("(not (on ?c ?t))", "(not (on ?c))"), HasSubstr("'on' takes 2 arguments, not 1"));
@@ -107,6 +108,26 @@ TEST(DomainParser, TakesWhatPeopleWrite) {
   EXPECT_EQ(parses("(define (domain d) (:predicates (on ?x ?y) (above ?x ?y)) (:derived (above ?x ?y)"
                    " (or (on ?x ?y) (exists (?z) (and (on ?x ?z) (above ?z ?y))))))"),
             "parsed");
+}
+
+// Before there was :action-costs, who wanted a total-cost asked for numbers.
+TEST(DomainParser, TakesTheNumbersOfPlanCosts) {
+  for (const char* requirement : {":fluents", ":numeric-fluents"}) {
+    const auto domain = parse_domain(replaced(kDomain, ":adl", requirement), "d");
+    EXPECT_TRUE(domain) << domain.error().message;
+  }
+}
+
+TEST(DomainParser, IgnoresTheByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const auto domain = parse_domain(mark + kDomain, "d");
+  ASSERT_TRUE(domain) << domain.error().message;
+  const auto problem = parse_problem(
+      mark + "(define (problem p) (:domain room) (:objects 7 - cup) (:goal (on 7 desk)))", "p", *domain);
+  ASSERT_TRUE(problem) << problem.error().message;
+  EXPECT_EQ(problem->object_name(problem->find_object("7")), "7");
+  EXPECT_THAT(domain_error(mark + "(define (domain d)"), HasSubstr("1:19:"));
+  EXPECT_THAT(domain_error("(define (domain d) (:action 7 :effect ()))"), HasSubstr("start with a letter"));
 }
 
 TEST(DomainParser, SurvivesHostileText) {
