@@ -233,7 +233,7 @@ void Landmarks::find(const RelaxedTask& relaxed, const PairReachability& pairs, 
   const std::size_t goals = conditions_.size();
   const auto literals = static_cast<Proposition>(task_->needed.size());
   for (const Proposition p : sets_[static_cast<std::size_t>(relaxed.goal())]) {
-    if (p >= relaxed.goal() || conditions_.size() >= kMostLandmarks) continue;
+    if (p >= relaxed.goal() || relaxed.is_gate(p) || conditions_.size() >= kMostLandmarks) continue;
     add(p < literals ? p : ~(p - literals));
   }
   words_ = std::max<std::size_t>(1, (conditions_.size() + 63) / 64);

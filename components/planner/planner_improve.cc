@@ -15,7 +15,7 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   constexpr std::int64_t kFewestNodes = 50;
   constexpr std::int64_t kNodesWithPlan = 20;  // times as many where a plan is known already
   constexpr std::size_t kLargeTask = 10'000;   // actions
-  const auto start = Clock::now();
+  auto found_at = Clock::now();
   SearchLimits limits;
   limits.bytes = options.memory_limit;
   bool exclusion_tried = false;
@@ -40,24 +40,43 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
       best = satisficing.plan();
       plan.cost = limits.upper_bound = satisficing.cost();
       plan.statistics.method = satisficing.method();
+      if (!found) found_at = Clock::now();
       found = true;
       tell(plan, options);
     }
     return result;
   };
-  // What is left of the time: half of it where there is no plan yet, so that some remains for finding one;
-  // with a plan, proving may not take longer than the proof limit.
-  const auto share = [&](bool whole) {
+  const auto make_cheaper = [&](Budget& time) {
+    SatisficingOptions some;
+    some.upper_bound = limits.upper_bound;
+    some.bytes = options.memory_limit / 4;
+    const auto result =
+        satisficing.improve(relaxed, relaxed_planner, initial.data(), some, time, plan.statistics, [&] {
+          best = satisficing.plan();
+          plan.cost = limits.upper_bound = satisficing.cost();
+          plan.statistics.method = satisficing.method();
+          tell(plan, options);
+        });
+    if (result == SatisficingSearch::Result::kExhausted) plan.lower_bound = plan.cost;
+  };
+  // A part of the time that is left, in eighths; with a plan, of what the proof limit leaves.
+  const auto share = [&](int eighths) {
     auto left = budget.limited() ? budget.deadline() - Clock::now() : std::chrono::nanoseconds(0);
-    if (!whole) left /= 2;
     if (found && options.proof_limit.count() > 0) {
-      const auto proof = std::max(options.proof_limit - (Clock::now() - start), std::chrono::nanoseconds(1));
+      const auto proof =
+          std::max(options.proof_limit - (Clock::now() - found_at), std::chrono::nanoseconds(1));
       left = budget.limited() ? std::min<std::chrono::nanoseconds>(left, proof) : proof;
     }
-    if (budget.limited()) left = std::max(left, std::chrono::nanoseconds(1));
-    return Budget(options.stop, left);
+    const bool limited = budget.limited() || (found && options.proof_limit.count() > 0);
+    return Budget(options.stop, limited ? std::max(left * eighths / 8, std::chrono::nanoseconds(1)) : left);
   };
-  constexpr int kNoLimit = 1 << 20, kFewTurns = 2;
+  // Where there is no plan yet, optimal search begins, then any plan is sought, and optimal search has the
+  // rest: what the one does not find in its part of the time it would hardly find in the other's.
+  constexpr int kFirstEighths = 1, kSatisficingEighths = 6, kAll = 8;
+  // With a plan, optimal search has a third of the time before the plan is made cheaper.
+  constexpr int kBeforeImproving = 3, kImproving = 4;
+  constexpr int kNoLimit = 1 << 20;
+  const int first_turns = budget.limited() ? kNoLimit : 2;
   if (options.satisficing) {
     exhausted = satisfice(kNoLimit, budget) == SatisficingSearch::Result::kExhausted && !found;
     plan.optimal = found && plan.cost == plan.lower_bound;
@@ -66,8 +85,8 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   bool tried = false;
   if (!found && task.actions.size() > kLargeTask) {  // here even the first lower bounds take seconds
     tried = true;
-    Budget half = share(false);
-    if (satisfice(kFewTurns, half) == SatisficingSearch::Result::kExhausted && !found) {
+    Budget part = share(kSatisficingEighths);
+    if (satisfice(first_turns, part) == SatisficingSearch::Result::kExhausted && !found) {
       exhausted = true;
       return;
     }
@@ -94,13 +113,13 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
       const auto actions = std::max<std::int64_t>(static_cast<std::int64_t>(focused.actions.size()), 1);
       here.nodes = std::clamp(kFirstWork / actions, kFewestNodes, kFirstNodes) * (found ? kNodesWithPlan : 1);
       if (options.node_limit > 0) here.nodes = std::min(options.node_limit, here.nodes);
-      Budget part = share(false);
+      Budget part = share(found ? kBeforeImproving : kFirstEighths);
       result = optimal.resume(here, part, plan.statistics);
       if (result == OptimalSearch::Result::kNodeLimit ||
           (result == OptimalSearch::Result::kStopped && !budget.check())) {
         tried = true;
-        Budget half = share(false);
-        if (satisfice(found ? 1 : kFewTurns, half) == SatisficingSearch::Result::kExhausted && !found) {
+        Budget some = share(found ? kImproving : kSatisficingEighths);
+        if (satisfice(found ? 1 : first_turns, some) == SatisficingSearch::Result::kExhausted && !found) {
           exhausted = true;
           break;
         }
@@ -110,8 +129,16 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
     }
     if (result == OptimalSearch::Result::kNodeLimit) {
       here.nodes = options.node_limit;
-      Budget part = share(found);
+      Budget part = share(found ? kBeforeImproving : kAll);
       result = optimal.resume(here, part, plan.statistics);
+      if (result == OptimalSearch::Result::kStopped && found && !budget.check()) {
+        Budget some = share(kImproving);
+        make_cheaper(some);
+        if (plan.lower_bound >= plan.cost) break;
+        here.upper_bound = std::min(here.upper_bound, limits.upper_bound);
+        Budget rest = share(kAll);
+        result = optimal.resume(here, rest, plan.statistics);
+      }
     }
     plan.lower_bound = std::max(plan.lower_bound, std::min(optimal.lower_bound(), bound));
     if (result == OptimalSearch::Result::kFound) {

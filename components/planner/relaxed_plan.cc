@@ -17,7 +17,9 @@ void RelaxedPlanner::restart(const RelaxedTask& relaxed, Budget& budget) {
   const auto stop = [&budget] { return budget.check(); };
   const bool whole = cost_.assign(propositions, 0, stop) && best_.assign(propositions, 0, stop) &&
                      marked_.assign(propositions, 0, stop) && unsatisfied_.assign(operators, 0, stop) &&
-                     sum_.assign(operators, 0, stop) && in_plan_.assign(actions, 0, stop);
+                     sum_.assign(operators, 0, stop) && in_plan_.assign(actions, 0, stop) &&
+                     listed_.assign(actions, 0, stop);
+  applicable_.clear();
   if (!whole) return;
   for (const GroundAction& action : relaxed.task().actions) {
     if (action.cost == 0) extra_ = 1;
@@ -43,6 +45,7 @@ void RelaxedPlanner::explore(const Word* state, Budget& budget) {
   }
   if (budget.stopped()) return;
   queue_.clear();
+  for (const std::int32_t action : applicable_) listed_[static_cast<std::size_t>(action)] = 0;
   applicable_.clear();
   relaxed_->for_each_true(state, budget, [this](Literal literal) { reach(literal, 0, -1); });
   reach(relaxed_->always(), 0, -1);
@@ -58,11 +61,12 @@ void RelaxedPlanner::explore(const Word* state, Budget& budget) {
       // Derived facts are taken to come and go for nothing, so that with axioms this alone does not make it
       // applicable.
       if (cost == 0 && action >= 0 && sum_[i] == cost_of(operators[i]) &&
-          (applicable_.empty() || applicable_.back() != action) &&
+          listed_[static_cast<std::size_t>(action)] == 0 &&
           (relaxed_->task().axioms.empty() ||
            action_applies(relaxed_->task(), state,
                           relaxed_->task().actions[static_cast<std::size_t>(action)]))) {
         applicable_.push_back(action);
+        listed_[static_cast<std::size_t>(action)] = 1;
       }
       for (const Proposition effect : relaxed_->effects(operators[i])) reach(effect, sum_[i], user);
     }

@@ -56,6 +56,7 @@ class RelaxedPlanner {
   Growing<std::int64_t> sum_;          // by operator
   Growing<std::uint8_t> marked_;       // by proposition: extracted
   Growing<std::uint8_t> in_plan_;      // by action
+  Growing<std::uint8_t> listed_;       // by action: in applicable_
   std::vector<std::int32_t> plan_, applicable_;
   std::vector<std::pair<Proposition, std::uint32_t>> stack_;
   std::vector<std::int32_t> rest_;

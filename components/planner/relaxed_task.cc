@@ -29,6 +29,18 @@ void fill_rows(std::size_t rows, Growing<std::uint32_t>& begin, Growing<std::int
 
 }  // namespace
 
+bool RelaxedTask::gated(const GroundAction& action) const {
+  // What the conditional effects of an action would otherwise repeat: its preconditions, once for each.
+  constexpr std::size_t kFewConditions = 8, kFewEffects = 8;
+  if (task_->preconditions(action).size() < kFewConditions) return false;
+  std::size_t conditional = 0;
+  for (const GroundEffect& effect : task_->effects_of(action)) {
+    conditional +=
+        effect.conditional() && task_->needed[static_cast<std::size_t>(effect.literal)] != 0 ? 1 : 0;
+  }
+  return conditional >= kFewEffects;
+}
+
 void RelaxedTask::add_operator(std::int32_t action, std::span<const ConditionId> first,
                                std::span<const ConditionId> second) {
   RelaxedOperator op;
@@ -46,6 +58,11 @@ void RelaxedTask::build(const GroundTask& task, Budget& budget) {
   task_ = &task;
   literals_ = task.needed.size();
   goal_ = static_cast<Proposition>(literals_ + task.junctions.size());
+  Proposition next_gate = goal_;
+  for (const GroundAction& action : task.actions) {
+    if (budget.poll()) return;
+    if (gated(action)) ++goal_;
+  }
   operators_.clear();
   preconditions_.clear();
   effects_.clear();
@@ -58,6 +75,12 @@ void RelaxedTask::build(const GroundTask& task, Budget& budget) {
     const GroundAction& action = task.actions[a];
     if (budget.poll()) return;
     const auto id = static_cast<std::int32_t>(a);
+    const bool has_gate = gated(action);
+    if (has_gate) {
+      add_operator(-1, task.preconditions(action), {});
+      effects_.push_back(next_gate);
+      ++operators_.back().effect_end;
+    }
     bool open = false;
     for (const GroundEffect& effect : task.effects_of(action)) {
       if (effect.conditional() || task.needed[static_cast<std::size_t>(effect.literal)] == 0) continue;
@@ -68,10 +91,16 @@ void RelaxedTask::build(const GroundTask& task, Budget& budget) {
     }
     for (const GroundEffect& effect : task.effects_of(action)) {
       if (!effect.conditional() || task.needed[static_cast<std::size_t>(effect.literal)] == 0) continue;
-      add_operator(id, task.preconditions(action), task.conditions_of(effect));
+      add_operator(id, has_gate ? std::span<const ConditionId>{} : task.preconditions(action),
+                   task.conditions_of(effect));
+      if (has_gate) {
+        preconditions_.push_back(next_gate);
+        ++operators_.back().precondition_end;
+      }
       effects_.push_back(effect.literal);
       ++operators_.back().effect_end;
     }
+    if (has_gate) ++next_gate;
   }
   for (const GroundAxiom& axiom : task.axioms) {
     if (budget.poll()) return;

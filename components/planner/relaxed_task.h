@@ -1,6 +1,7 @@
 // The delete relaxation of a ground task: what once holds stays. Propositions are the needed literals, the
-// junctions and the goal; operators have plain lists of both. An action gives one operator for its
-// unconditional effects and one for each conditional effect, an axiom one that is free.
+// junctions, gates ("the preconditions of this action hold", where many conditional effects share them) and
+// the goal; operators have plain lists of both. An action gives one operator for its unconditional effects
+// and one for each conditional effect, an axiom one that is free.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +33,9 @@ class RelaxedTask {
   Proposition always() const { return goal_ + 1; }
   Proposition of(ConditionId condition) const {
     return condition >= 0 ? condition : static_cast<Proposition>(literals_) + ~condition;
+  }
+  bool is_gate(Proposition p) const {
+    return p >= static_cast<Proposition>(literals_ + task_->junctions.size()) && p < goal_;
   }
   const Growing<RelaxedOperator>& operators() const { return operators_; }
   std::span<const Proposition> preconditions(const RelaxedOperator& op) const {
@@ -67,6 +71,7 @@ class RelaxedTask {
   }
   void add_operator(std::int32_t action, std::span<const ConditionId> first,
                     std::span<const ConditionId> second);
+  bool gated(const GroundAction& action) const;
   void index(Budget& budget);
 
   const GroundTask* task_ = nullptr;

@@ -7,6 +7,7 @@
 #include "components/planner/novelty_search.h"
 #include "components/planner/pair_reachability.h"
 #include "components/planner/pruning.h"
+#include "components/planner/weighted_search.h"
 
 namespace goalnet::planner {
 namespace {
@@ -103,6 +104,38 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
   }
   if (found) return Result::kFound;
   return budget.stopped() ? Result::kStopped : Result::kLimit;
+}
+
+SatisficingSearch::Result SatisficingSearch::improve(const RelaxedTask& relaxed, RelaxedPlanner& heuristic,
+                                                     const Word* initial, const SatisficingOptions& options,
+                                                     Budget& budget, Statistics& statistics,
+                                                     const std::function<void()>& tell) {
+  const GroundTask& task = relaxed.task();
+  Pruning pruning;
+  PairReachability pairs;
+  pairs.compute(task, budget);
+  pruning.dead.compute(task, pairs, budget);
+  pruning.symmetry.find(task, budget);
+  WeightedSearch search;
+  std::int64_t bound = options.upper_bound;
+  bool found = false;
+  std::int64_t weight = 5;
+  while (!budget.check()) {
+    const Result result =
+        search.search(task, heuristic, initial, bound, weight, options.bytes, budget, statistics, pruning);
+    if (result == Result::kFound) {
+      plan_ = search.plan();
+      shorten_plan(task, initial, budget, &plan_);
+      cost_ = bound = cost_of(task, plan_);
+      method_ = "weighted A*";
+      found = true;
+      tell();
+    } else if (result != Result::kMemory || weight == 1) {
+      return result == Result::kExhausted || !found ? result : Result::kFound;
+    }
+    if (weight > 1) weight = weight == 5 ? 3 : weight - 1;
+  }
+  return found ? Result::kFound : Result::kStopped;
 }
 
 void shorten_plan(const GroundTask& task, const Word* initial, Budget& budget,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ class SatisficingSearch {
   // kExhausted: there is no plan below the bound at all. kLimit: the turns are used up.
   Result search(const RelaxedTask& relaxed, RelaxedPlanner& heuristic, const Word* initial,
                 const SatisficingOptions& options, Budget& budget, Statistics& statistics);
+  // Cheaper plans than `upper_bound`, one after the other, until the budget or the memory is used up; each is
+  // told. kFound: there was one. kExhausted: there is none, so that the last one told, or the one that gave
+  // the bound, is a cheapest plan.
+  Result improve(const RelaxedTask& relaxed, RelaxedPlanner& heuristic, const Word* initial,
+                 const SatisficingOptions& options, Budget& budget, Statistics& statistics,
+                 const std::function<void()>& tell);
   const std::vector<std::int32_t>& plan() const { return plan_; }
   std::int64_t cost() const { return cost_; }
   const std::string& method() const { return method_; }
