@@ -1,0 +1,28 @@
+(define (problem thoughtful-middle) (:domain thoughtful)
+  (:objects
+    heart5 spade4 spade3 spade6 spade5 heart4 heart7 heart1 heart2 spade8 spade7 heart6 heart3 spade1 spade2
+    heart8 back - card heart spade - suit n0 n1 n2 n3 n4 n5 n6 n7 n8 n9 - rank)
+  (:init
+    (next n0 n1) (next n1 n2) (next n2 n3) (next n3 n4) (next n4 n5) (next n5 n6) (next n6 n7) (next n7 n8)
+    (next n8 n9) (home-top heart n0) (home-top spade n0) (places n0) (suit-of heart5 heart)
+    (rank-of heart5 n5) (can-stack heart5 spade6) (suit-of spade4 spade) (rank-of spade4 n4)
+    (can-stack spade4 heart5) (suit-of spade3 spade) (rank-of spade3 n3) (can-stack spade3 heart4)
+    (suit-of spade6 spade) (rank-of spade6 n6) (can-stack spade6 heart7) (suit-of spade5 spade)
+    (rank-of spade5 n5) (can-stack spade5 heart6) (suit-of heart4 heart) (rank-of heart4 n4)
+    (can-stack heart4 spade5) (suit-of heart7 heart) (rank-of heart7 n7) (can-stack heart7 spade8)
+    (suit-of heart1 heart) (rank-of heart1 n1) (can-stack heart1 spade2) (suit-of heart2 heart)
+    (rank-of heart2 n2) (can-stack heart2 spade3) (suit-of spade8 spade) (rank-of spade8 n8) (king spade8)
+    (suit-of spade7 spade) (rank-of spade7 n7) (can-stack spade7 heart8) (suit-of heart6 heart)
+    (rank-of heart6 n6) (can-stack heart6 spade7) (suit-of heart3 heart) (rank-of heart3 n3)
+    (can-stack heart3 spade4) (suit-of spade1 spade) (rank-of spade1 n1) (can-stack spade1 heart2)
+    (suit-of spade2 spade) (rank-of spade2 n2) (can-stack spade2 heart3) (suit-of heart8 heart)
+    (rank-of heart8 n8) (king heart8) (bottom heart5) (clear heart5) (up heart5) (bottom spade4)
+    (on spade3 spade4) (clear spade3) (up spade3) (bottom spade6) (on spade5 spade6) (on heart4 spade5)
+    (clear heart4) (up heart4) (bottom heart7) (on heart1 heart7) (on heart2 heart1) (on spade8 heart2)
+    (clear spade8) (up spade8) (talon-next back spade7) (talon-next spade7 heart6)
+    (talon-next heart6 heart3) (talon-next heart3 spade1) (talon-next spade1 spade2)
+    (talon-next spade2 heart8) (talon-next heart8 back) (shown back))
+  (:goal (and
+    (home heart5) (home spade4) (home spade3) (home spade6) (home spade5) (home heart4) (home heart7)
+    (home heart1) (home heart2) (home spade8) (home spade7) (home heart6) (home heart3) (home spade1)
+    (home spade2) (home heart8))))
