@@ -22,6 +22,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto arguments = parse_arguments(words);
   if (!arguments && arguments.error().message.empty()) std::abort();
+  if (arguments) {
+    // What nodes and loggers are made of is checked when it is typed.
+    for (const char* node : {"planner", "brain"}) {
+      const auto name = arguments->node_name(node);
+      if (name && !check_node_name(*name)) std::abort();
+      const auto space = arguments->node_namespace(name.value_or(node));
+      if (space && normalize_namespace(*space).value() != *space) std::abort();
+    }
+    arguments->level_of("robot_1.planner");
+  }
   for (const std::string& word : words) {
     const auto full = expand_name(word, "/robot_1", "planner");
     if (full) {
