@@ -52,7 +52,7 @@ Expected<LogLevel> parse_log_level(std::string_view name) {
   std::string lower(name);
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
   if (lower == "debug") return LogLevel::kDebug;
-  if (lower == "info") return LogLevel::kInfo;
+  if (lower == "info" || lower == "unset") return LogLevel::kInfo;  // rcl's word for the default
   if (lower == "warn" || lower == "warning") return LogLevel::kWarn;
   if (lower == "error") return LogLevel::kError;
   if (lower == "fatal") return LogLevel::kFatal;

@@ -100,6 +100,7 @@ TEST(Arguments, LevelsOfLoggersAndOfThoseBelow) {
   EXPECT_EQ(parsed->level_of("robot_1.executor"), LogLevel::kDebug);
   EXPECT_EQ(parsed->level_of("robot_12.executor"), LogLevel::kError);
   EXPECT_EQ(Arguments().level_of("planner"), std::nullopt);
+  EXPECT_EQ(parse_arguments({"--ros-args", "--log-level", "UNSET"})->log_level, LogLevel::kInfo);
 }
 
 // launch and people pass these to every node; here they have no effect.
