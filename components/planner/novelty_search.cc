@@ -6,11 +6,11 @@
 namespace goalnet::planner {
 namespace {
 constexpr std::size_t kMostAtomsForPairs = 3000;  // 1.1 MB for each number of missing landmarks
+constexpr std::int64_t kStatesPerPlan = 40;       // what a relaxed plan costs, in states made
 }  // namespace
 
-bool NoveltySearch::is_new(const GroundTask& task, const Word* state, std::int32_t missing) {
+bool NoveltySearch::is_new(const GroundTask& task, const Word* state, std::size_t i) {
   const std::size_t words = task.words();
-  const auto i = static_cast<std::size_t>(missing);
   if (seen_true_.size() <= i) {
     seen_true_.resize(i + 1);
     seen_false_.resize(i + 1);
@@ -27,13 +27,13 @@ bool NoveltySearch::is_new(const GroundTask& task, const Word* state, std::int32
 }
 
 bool NoveltySearch::is_new_pair(const GroundTask& task, const Word* state, const Word* before,
-                                std::int32_t missing) {
+                                std::size_t i) {
   if (task.initial.size() > kMostAtomsForPairs) return false;
   const std::size_t words = task.words();
-  const auto i = static_cast<std::size_t>(missing);
   if (seen_pairs_.size() <= i) seen_pairs_.resize(i + 1);
   std::vector<Word>& seen = seen_pairs_[i];
   if (seen.empty()) {
+    if (pair_bytes_ > most_pair_bytes_) return false;
     seen.resize(task.initial.size() * words, 0);
     pair_bytes_ += seen.size() * sizeof(Word);
   }
@@ -63,15 +63,58 @@ void NoveltySearch::forget_seen() {
   pair_bytes_ = 0;
 }
 
+bool NoveltySearch::guide(const GroundTask& task, std::int32_t id, RelaxedPlanner& plans, Budget& budget,
+                          Statistics& statistics) {
+  Node& node = nodes_[static_cast<std::size_t>(id)];
+  const Word* state = states_.state(id);
+  if (node.parent >= 0) {
+    const Node& parent = nodes_[static_cast<std::size_t>(node.parent)];
+    if (node.missing >= parent.missing) {
+      node.guide = parent.guide;
+      node.came = parent.came;
+      const auto& facts = guides_[static_cast<std::size_t>(node.guide)].facts;
+      for (std::size_t i = 0; i < facts.size(); ++i) {
+        if (literal_holds(state, facts[i])) node.came[i >> 6] |= Word{1} << (i & 63u);
+      }
+      return true;
+    }
+  }
+  ++statistics.evaluated;
+  if (plans.evaluate(state, budget) >= RelaxedPlanner::kDeadEnd) return false;
+  node.guide = static_cast<std::int32_t>(guides_.size());
+  auto& facts = guides_.emplace_back().facts;
+  for (const std::int32_t number : plans.actions()) {
+    for (const GroundEffect& effect : task.effects_of(task.actions[static_cast<std::size_t>(number)])) {
+      if (facts.size() < 64 * kGuideWords && (effect.literal & 1) == 0 &&
+          !literal_holds(state, effect.literal) &&
+          std::find(facts.begin(), facts.end(), effect.literal) == facts.end()) {
+        facts.push_back(effect.literal);
+      }
+    }
+  }
+  return true;
+}
+
+std::size_t NoveltySearch::class_of(const Node& node) const {
+  const auto missing = static_cast<std::size_t>(node.missing);
+  if (node.guide < 0) return missing;
+  std::size_t came = 0;
+  for (const Word word : node.came) came += static_cast<std::size_t>(std::popcount(word));
+  return missing * (64 * kGuideWords + 1) + came;
+}
+
 std::int32_t NoveltySearch::push(const GroundTask& task, Landmarks& landmarks, std::int32_t id,
-                                 bool committed) {
+                                 bool committed, RelaxedPlanner* plans, Budget& budget,
+                                 Statistics& statistics) {
   const std::int32_t missing = landmarks.missing(states_.state(id), reached(id));
   Node& node = nodes_[static_cast<std::size_t>(id)];
   node.missing = missing;
-  const bool as_before = node.parent >= 0 && nodes_[static_cast<std::size_t>(node.parent)].missing == missing;
+  if (plans != nullptr && !guide(task, id, *plans, budget, statistics)) return missing;
+  const std::size_t alike = class_of(node);
+  const bool as_before = node.parent >= 0 && class_of(nodes_[static_cast<std::size_t>(node.parent)]) == alike;
   const Word* before = as_before ? states_.state(node.parent) : nullptr;
-  const bool new_literal = is_new(task, states_.state(id), missing);
-  const bool new_pair = is_new_pair(task, states_.state(id), before, missing);
+  const bool new_literal = is_new(task, states_.state(id), alike);
+  const bool new_pair = is_new_pair(task, states_.state(id), before, alike);
   heap_.push({new_literal ? 0 : new_pair ? 1 : 2, committed ? 0 : missing, id});
   return missing;
 }
@@ -83,14 +126,17 @@ std::int64_t NoveltySearch::bytes() const {
 
 NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& landmarks, const Word* initial,
                                             std::int64_t upper_bound, std::int64_t most_states,
-                                            std::int64_t most_bytes, bool committed, Budget& budget,
-                                            Statistics& statistics, const Pruning& pruning) {
+                                            std::int64_t most_bytes, bool committed, RelaxedPlanner* plans,
+                                            Budget& budget, Statistics& statistics, const Pruning& pruning) {
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   successors_.restart(task);
   pruning.restart(states_, words);
   nodes_.clear();
   heap_.clear();
   forget_seen();
+  guides_.clear();
+  most_pair_bytes_ = most_bytes > 0 ? static_cast<std::size_t>(most_bytes) / 2 : SIZE_MAX;
+  const std::int64_t evaluated_before = statistics.evaluated;
   landmark_words_ = landmarks.words();
   reached_.restart(landmark_words_);
   next_.resize(words);
@@ -101,7 +147,7 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
   nodes_.push_back({});
   landmarks.note(initial, next_reached_.data());
   reached_.push_back(next_reached_.data());
-  std::int32_t fewest = push(task, landmarks, 0, committed);
+  std::int32_t fewest = push(task, landmarks, 0, committed, plans, budget, statistics);
   Result result = Result::kExhausted;
   while (!heap_.empty() && result == Result::kExhausted) {
     const std::int32_t id = heap_.pop().node;
@@ -133,7 +179,7 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
       std::copy_n(reached(id), landmark_words_, next_reached_.begin());
       landmarks.note(next_.data(), next_reached_.data());
       reached_.push_back(next_reached_.data());
-      const std::int32_t missing = push(task, landmarks, child, committed);
+      const std::int32_t missing = push(task, landmarks, child, committed, plans, budget, statistics);
       if (missing >= fewest) continue;
       fewest = missing;
       if (!committed) continue;
@@ -142,7 +188,8 @@ NoveltySearch::Result NoveltySearch::search(const GroundTask& task, Landmarks& l
       forget_seen();
       break;
     }
-    if (result == Result::kExhausted && states_.size() > most_states) result = Result::kLimit;
+    const std::int64_t spent = states_.size() + kStatesPerPlan * (statistics.evaluated - evaluated_before);
+    if (result == Result::kExhausted && spent > most_states) result = Result::kLimit;
     if (result == Result::kExhausted && most_bytes > 0 && bytes() > most_bytes) result = Result::kMemory;
   }
   if (committed && result == Result::kExhausted) result = Result::kLimit;

@@ -21,7 +21,7 @@ namespace goalnet::planner {
 struct SolveOptions {
   // Zero: none. After it the best plan so far is returned (optimal = false), or kTimeLimit if there is none.
   std::chrono::nanoseconds time_limit{0};
-  // Once a plan is known, at most this long is spent in all on proving it optimal or finding a better one.
+  // From when a plan is known, at most this long is spent on proving it optimal or finding a better one.
   // Zero: up to time_limit.
   std::chrono::nanoseconds proof_limit{0};
   // States expanded by the optimal search before a satisficing one takes over. Zero: no limit. Unlike a time

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::int64_t kFirstWork = 3'000'000;  // of the first turn, in operators looked at by relaxed plans
 constexpr std::int64_t kFewestStates = 50, kMostStates = 1500;
+constexpr int kMethods = 5;
 constexpr std::int64_t kNewPerState =
     40;  // the novelty search makes this many states while others evaluate one
 
@@ -56,7 +57,7 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
   for (int turn = 0; turn < options.turns && !budget.check(); ++turn) {
     int full = 0;                              // searches that ran out of memory
     heuristic.count_actions((turn & 1) != 0);  // every other turn is for short plans instead of cheap ones
-    for (int method = 0; method < 4 && !budget.check(); ++method) {
+    for (int method = 0; method < kMethods && !budget.check(); ++method) {
       if (method > 0 && !landmarks_known) {
         PairReachability pairs;
         pairs.compute(task, budget);
@@ -78,7 +79,7 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
         case 1:
           for (const bool committed : {true, false}) {
             result = novelty.search(task, landmarks, initial, bound, kNewPerState * states, options.bytes,
-                                    committed, budget, statistics, pruning);
+                                    committed, nullptr, budget, statistics, pruning);
             if (result == Result::kFound) break;
           }
           if (result == Result::kFound) keep(novelty.plan(), "novelty search");
@@ -87,6 +88,11 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
           result = landmark_search.search(task, heuristic, landmarks, initial, bound, states, options.bytes,
                                           budget, statistics, pruning);
           if (result == Result::kFound) keep(landmark_search.plan(), "landmark search");
+          break;
+        case 3:
+          result = novelty.search(task, landmarks, initial, bound, kNewPerState * states, options.bytes,
+                                  false, &heuristic, budget, statistics, pruning);
+          if (result == Result::kFound) keep(novelty.plan(), "guided novelty search");
           break;
         default:
           result = greedy.search(task, heuristic, initial, bound, states, options.bytes, budget, statistics,
@@ -99,7 +105,7 @@ SatisficingSearch::Result SatisficingSearch::search(const RelaxedTask& relaxed, 
       full += result == Result::kMemory ? 1 : 0;
     }
     if (found) return Result::kFound;
-    if (full == 4) return Result::kMemory;
+    if (full == kMethods) return Result::kMemory;
     states = std::min<std::int64_t>(states, INT64_MAX / 1000) * 4;
   }
   if (found) return Result::kFound;
