@@ -110,6 +110,10 @@ ParsedSentence ClauseParser::parse() {
 }
 
 std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
+  if (words_[at] == "told_of") {  // what a part named that was set aside
+    add_told(at + 1, skip_part(at, end));
+    return skip_part(at, end);
+  }
   if (language_.hears_people() && words_[at] == "whoever") {  // "whoever left the tap on should be ashamed"
     add_told(at, part_end(at, end));
     return part_end(at, end);

@@ -58,8 +58,15 @@ void RobotLanguage::other_readings(const std::vector<std::string>& tokens, const
                   tokens.begin() + static_cast<long>(std::min(end + 1, tokens.size())));
     begin = end + 1;
   }
-  if (kept.size() == tokens.size() || kept.empty()) return;
-  if (makes_sense(kept)) ++reading.understanding.passed_over;
+  if (kept.size() < tokens.size() && !kept.empty() && makes_sense(kept)) {
+    ++reading.understanding.passed_over;
+    return;
+  }
+  for (const auto& request : without_background(tokens))
+    if (makes_sense(request)) {
+      ++reading.understanding.passed_over;
+      return;
+    }
 }
 
 // "submerge the plate in the sink": a way of moving things, by what it moves and where.

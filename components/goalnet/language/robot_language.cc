@@ -22,10 +22,10 @@ Expected<std::string> text_of(const std::string& path) {
 
 Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   std::unique_ptr<RobotLanguage> robot(new RobotLanguage(symbols));
-  constexpr int kFiles = 6;
+  constexpr int kFiles = 7;
   std::string texts[kFiles], paths[kFiles];
   const char* names[kFiles] = {"language/household.json",  "language/english.json", "language/words.json",
-                               "language/confidence.json", "language/kinds.json",   "language/talk.json"};
+                               "language/confidence.json", "language/kinds.json",   "language/talk.json", "language/background.json"};
   for (int i = 0; i < kFiles; ++i) {
     paths[i] = config_path(names[i]);
     auto text = text_of(paths[i]);
@@ -53,6 +53,9 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   auto confidence = ReadingConfidence::parse(texts[3], paths[3]);
   if (!confidence) return tl::unexpected(confidence.error());
   robot->confidence_ = *confidence;
+  auto background = Background::parse(texts[6], paths[6]);
+  if (!background) return tl::unexpected(background.error());
+  robot->background_ = std::move(*background);
   return robot;
 }
 

@@ -4,14 +4,16 @@
 #include <memory>
 #include <string>
 
+#include "components/goalnet/language/background.h"
 #include "components/goalnet/language/frames.h"
 #include "components/goalnet/language/reading_confidence.h"
+#include "components/goalnet/language/sentence_parts.h"
 
 namespace goalnet::inference {
 
 class RobotLanguage {
  public:
-  // Reads household.json, english.json, words.json, confidence.json and kinds.json. Fails with
+  // Reads household.json, english.json, words.json, confidence.json, kinds.json, talk.json and background.json. Fails with
   // kInvalidRequest: which file, what is wrong.
   static Expected<std::unique_ptr<RobotLanguage>> load(Symbols& symbols);
 
@@ -25,11 +27,17 @@ class RobotLanguage {
                const SymState& start, const Distances* distances);
 
   const ReadingConfidence& confidence() const { return confidence_; }
+  std::vector<SentencePart> parts(const std::vector<std::string>& tokens) const;
+  // The words with those parts set aside.
+  std::vector<std::string> without(const std::vector<std::string>& tokens,
+                                   const std::vector<SentencePart>& parts, const std::vector<bool>& aside) const;
 
  private:
   // other_readings.cc: `reading` becomes one that makes sense where there is one.
   void other_readings(const std::vector<std::string>& tokens, const FrameReader& reader,
                       const SymState& start, const Distances* distances, Reading& reading);
+  // set_aside.cc: readings without what is most likely background, the most probable one first.
+  std::vector<std::vector<std::string>> without_background(const std::vector<std::string>& tokens) const;
   std::vector<std::string> with_known_verbs(const std::vector<std::string>& tokens) const;
   std::vector<std::string> without_describing(const std::vector<std::string>& tokens) const;
   bool names_nothing(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end) const;
@@ -39,6 +47,7 @@ class RobotLanguage {
   std::unique_ptr<Lexicon> lexicon_;
   std::unique_ptr<Language> language_;
   ReadingConfidence confidence_;
+  Background background_;
 };
 
 }  // namespace goalnet::inference

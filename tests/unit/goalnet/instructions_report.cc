@@ -1,10 +1,15 @@
 // How a file of instructions fares, sentence by sentence: what was refused and why, what was done instead.
 //   goalnet_instructions_report FILE [--all]
+//   goalnet_instructions_report FILE --parts     for tools/fit_background: each part of each sentence that reaches its
+//                                                goal, and whether it does without that part as well
 // FILE: lines of room, sentence, goal (or REFUSE; empty: only tell what is done), changes to the start state;
 // by tabs.
 #include <cstdio>
 #include <cstring>
+#include <stdexcept>
 
+#include "components/goalnet/language/robot_language.h"
+#include "components/goalnet/tokenizer.h"
 #include "tests/unit/goalnet/instruction_runner.h"
 
 namespace goalnet::inference {
@@ -46,14 +51,51 @@ void report(InstructionRunner& runner, std::vector<std::string> row, bool all, C
               run.message.empty() ? "" : (" (" + run.message + ")").c_str());
 }
 
+std::string joined(const std::vector<std::string>& tokens) {
+  std::string text;
+  for (const std::string& token : tokens) text += (text.empty() || token == "'s" ? "" : " ") + token;
+  return text;
+}
+
+void print_parts(InstructionRunner& runner, const RobotLanguage& language, std::size_t number,
+                 std::vector<std::string> row) {
+  row.resize(std::max<std::size_t>(row.size(), 4));
+  const WorldState world = runner.room(row[0], row[3]);
+  const auto does = [&](const std::string& text) {
+    const auto run = runner.follow(world, text);
+    return !run.refused && reached(row[2], run.facts);
+  };
+  const auto tokens = tokenize(row[1], Endings::kKept);
+  if (row[2] == "REFUSE" || !tokens || !does(row[1])) return;
+  const auto parts = language.parts(*tokens);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<bool> aside(parts.size(), false);
+    aside[i] = true;
+    const bool background = parts.size() > 1 && does(joined(language.without(*tokens, parts, aside)));
+    const std::vector<std::string> words(tokens->begin() + static_cast<long>(parts[i].begin),
+                                         tokens->begin() + static_cast<long>(parts[i].end));
+    std::printf("part\t%zu\t%d\t%s", number, background ? 1 : 0, joined(words).c_str());
+    for (const std::string& sign : parts[i].signs) std::printf("\t%s", sign.c_str());
+    std::printf("\n");
+  }
+}
+
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: goalnet_instructions_report FILE [--all]\n");
+    std::fprintf(stderr, "usage: goalnet_instructions_report FILE [--all|--parts]\n");
     return 2;
   }
   try {
     InstructionRunner runner;
     Counts counts;
+    if (argc > 2 && std::strcmp(argv[2], "--parts") == 0) {
+      Symbols symbols;
+      const auto language = RobotLanguage::load(symbols);
+      if (!language) throw std::runtime_error(language.error().message);
+      std::size_t number = 0;
+      for (const auto& row : read_rows(argv[1])) print_parts(runner, **language, ++number, row);
+      return 0;
+    }
     for (const auto& row : read_rows(argv[1]))
       if (row.size() > 1) report(runner, row, argc > 2 && std::strcmp(argv[2], "--all") == 0, counts);
     std::printf("sensible: %d of %d reached, %d refused, %d wrong; nonsense: %d of %d refused\n",
