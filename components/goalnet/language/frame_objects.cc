@@ -71,6 +71,15 @@ FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort so
     const Objects excluded = resolver_.options(these, sort, now_);
     std::erase_if(options, [&](Symbol object) { return contains(excluded, object); });
   }
+  // "the coke is finished, throw away the can": of several, what was spoken of
+  if (at_home_ && phrase.definite && !phrase.plural && !phrase.all && phrase.count == 0 && phrase.number == 0 &&
+      phrase.ordinal == 0 && phrase.adjectives.empty() && phrase.role == Role::kDirect)
+    for (auto spoken = history_.rbegin(); spoken != history_.rend(); ++spoken) {
+      const auto told = [&](Symbol object) { return contains(*spoken, object); };
+      if (std::none_of(options.begin(), options.end(), told)) continue;
+      std::stable_partition(options.begin(), options.end(), told);
+      break;
+    }
   // "put a book on the shelf" means one that is not there yet
   if (!avoid_.empty() && !phrase.plural && !phrase.all && phrase.role == Role::kDirect)
     std::stable_partition(options.begin(), options.end(),

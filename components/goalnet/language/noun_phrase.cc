@@ -85,10 +85,12 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
     if (names_[i] > 0 && !(one_of(word, kStates) && modifier_ahead(i + 1, end))) break;
     if (one_of(word, kArticles)) {
       if (word == "another") phrase.adjectives.push_back("other");
+      phrase.definite = word == "the";
       determined = true;
     } else if (one_of(word, kPointers)) {
       if (!starts(i + 1, end)) break;
       if (word == "this" || word == "that") phrase.plural = false;
+      phrase.definite = true;
       determined = true;
     } else if (one_of(word, kAll)) {
       phrase.all = determined = true;

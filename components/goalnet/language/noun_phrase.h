@@ -29,6 +29,7 @@ struct NounPhrase {
   int number = 0;                       // "pillow 4": the number in its name
   bool pronoun = false, plural = false;
   bool all = false;                 // all, every, each, both
+  bool definite = false;            // the, that, this
   bool some = false;                // some, a few
   bool everything = false;          // "everything", "the rest": things without a name
   bool rest = false;                // "the rest", "the others": what was not spoken of yet

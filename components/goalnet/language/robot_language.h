@@ -27,6 +27,7 @@ class RobotLanguage {
                const SymState& start, const Distances* distances);
 
   const ReadingConfidence& confidence() const { return confidence_; }
+  double background(const SentencePart& part) const { return background_.of(part.signs); }  // 0..1
   std::vector<SentencePart> parts(const std::vector<std::string>& tokens) const;
   // The words with those parts set aside.
   std::vector<std::string> without(const std::vector<std::string>& tokens,
@@ -38,6 +39,7 @@ class RobotLanguage {
                       const SymState& start, const Distances* distances, Reading& reading);
   // set_aside.cc: readings without what is most likely background, the most probable one first.
   std::vector<std::vector<std::string>> without_background(const std::vector<std::string>& tokens) const;
+  bool idle(const std::vector<std::string>& tokens, const SentencePart& part) const;
   std::vector<std::string> with_known_verbs(const std::vector<std::string>& tokens) const;
   std::vector<std::string> without_describing(const std::vector<std::string>& tokens) const;
   bool names_nothing(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end) const;

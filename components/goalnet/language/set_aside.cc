@@ -11,7 +11,10 @@ namespace {
 
 using namespace word_group;
 
-constexpr double kLeast = 0.5;            // how likely a part that is set aside must be background
+constexpr double kLeast = 0.35;           // how likely a part that is set aside must be background
+constexpr double kLeastOrder = 0.8;       // the same of one that begins as orders do
+constexpr double kLeastIdle = 0.15;       // the same of one that speaks of nothing here and begins as no order does
+constexpr double kLeastBeside = 0.04;     // and begins with "for" or "if you", or is one word
 constexpr std::size_t kMostReadings = 6;  // that are tried
 
 // Words that change what other parts ask for; a part that has one of them is never set aside.
@@ -20,11 +23,46 @@ constexpr std::array kTurnsRequest = {"if"sv,      "unless"sv, "except"sv,   "in
                                       "whenever"sv, "hour"sv,   "hours"sv,    "minutes"sv,   "minute"sv,
                                       "mins"sv,    "later"sv,  "tomorrow"sv, "tonight"sv,   "oclock"sv,
                                       "wait"sv,    "sorry"sv,  "actually"sv, "mean"sv,      "every"sv,
-                                      "both"sv,    "all"sv,    "each"sv,     "other"sv};
+                                      "both"sv,    "all"sv,    "each"sv,     "other"sv,     "one"sv,     "ones"sv,    "anything"sv, "everything"sv};
+constexpr std::array kJoins = {"and"sv, "then"sv, "please"sv, "so"sv, "but"sv};
 // Nor one that begins with these, but for going on with one that is set aside ("I like glasses, not cans").
 constexpr std::array kDenies = {"not"sv, "no"sv, "dont"sv, "never"sv, "nothing"sv, "nobody"sv};
 
+// "if you can", "if it is no trouble"
+bool polite(const std::vector<std::string>& tokens, std::size_t i) {
+  static constexpr std::array kWhose = {"you"sv, "youd"sv, "youre"sv, "thats"sv, "possible"sv, "i"sv};
+  static constexpr std::array kMay = {"can"sv,  "could"sv, "would"sv, "may"sv,   "are"sv,  "will"sv,
+                                      "have"sv, "dont"sv,  "like"sv,  "manage"sv, "know"sv, "be"sv};
+  return tokens[i] == "if" && i + 2 < tokens.size() && one_of(tokens[i + 1], kWhose) &&
+         (one_of(tokens[i + 2], kMay) || tokens[i + 1] == "possible");
+}
+
 }  // namespace
+
+// Whether the part names nothing of this place, not even by "it", and does not begin as orders do.
+bool RobotLanguage::idle(const std::vector<std::string>& tokens, const SentencePart& part) const {
+  static constexpr std::array kPoints = {"it"sv,   "them"sv, "that"sv, "those"sv, "this"sv, "one"sv, "ones"sv,
+                                         "here"sv, "there"sv, "some"sv, "another"sv, "more"sv, "again"sv};
+  std::size_t head = part.begin;
+  while (head + 1 < part.end && one_of(tokens[head], kJoins)) ++head;
+  // "a napkin" may be asked for, "a napkin is missing" tells
+  const bool named = one_of(tokens[head], kDeterminers) || one_of(tokens[head], kPossessives);
+  bool told = one_of(tokens[head], kSubjects) || tokens[head] == "for" || tokens[head] == "if" ||
+              tokens[head] == "no" || (!named && !language_->english_verb(tokens[head])) || part.end - head == 1;
+  for (std::size_t i = head; i < part.end && named; ++i) told = told || language_->copula(tokens[i]);
+  if (!told) return false;
+  for (std::size_t i = part.begin; i < part.end; ++i) {
+    const std::string stem = singular(tokens[i]);
+    const bool no_more = tokens[i] == "more" && i > part.begin && tokens[i - 1] == "no";
+    const bool modal = tokens[i] == "can" && i > part.begin && one_of(tokens[i - 1], kSubjects);
+    if ((language_->names_thing(stem) && !modal) || language_->content(stem) != symbol::kNone ||
+        (one_of(tokens[i], kPoints) && !no_more) ||
+        (language_->may_be_a_slip(tokens[i]) && !language_->corrections(tokens[i]).empty()) ||
+        language_->wanted_by_state(tokens[i]) != Frame::kNone || language_->wish(tokens[i]) != nullptr)
+      return false;
+  }
+  return true;
+}
 
 std::vector<SentencePart> RobotLanguage::parts(const std::vector<std::string>& tokens) const {
   return sentence_parts(tokens, *language_, *lexicon_);
@@ -41,12 +79,26 @@ std::vector<std::vector<std::string>> RobotLanguage::without_background(
   const std::vector<SentencePart> parts = this->parts(tokens);
   std::vector<double> likely(parts.size(), 0);
   std::vector<std::size_t> order;  // of those that may be set aside, the likeliest background first
+  bool aside_before = false;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     bool may = true;
-    for (std::size_t i = parts[p].begin; i < parts[p].end; ++i) may = may && !one_of(tokens[i], kTurnsRequest);
-    if (one_of(tokens[parts[p].begin], kDenies)) may = may && p > 0 && likely[p - 1] >= kLeast;
+    for (std::size_t i = parts[p].begin; i < parts[p].end; ++i) may = may && (!one_of(tokens[i], kTurnsRequest) || polite(tokens, i));
+    const bool idle = this->idle(tokens, parts[p]);
+    if (one_of(tokens[parts[p].begin], kDenies) && (!idle || parts[p].end - parts[p].begin == 1))
+      may = may && p > 0 && aside_before;
     if (may) likely[p] = background_.of(parts[p].signs);
-    if (likely[p] >= kLeast) order.push_back(p);
+    std::size_t head = parts[p].begin;
+    while (head + 1 < parts[p].end && one_of(tokens[head], kJoins)) ++head;
+    const std::string& first = tokens[head];
+    const bool orders = language_->verb(first) != Frame::kNone && language_->verb_base(first) == first;
+    const bool one_word = parts[p].end - parts[p].begin == 1;
+    const bool beside = first == "for" || first == "if" || one_word;
+    // "lend me your ears and that book": what goes on with "and" may be of the same order
+    if (p + 1 < parts.size() && tokens[parts[p + 1].begin] == "and" && language_->english_verb(first) && !one_word &&
+        (one_of(tokens[parts[p + 1].begin + 1], kDeterminers) || one_of(tokens[parts[p + 1].begin + 1], kPointers)))
+      continue;
+    if (likely[p] >= (orders && !(one_word && idle) ? kLeastOrder : !idle ? kLeast : beside ? kLeastBeside : kLeastIdle)) order.push_back(p);
+    aside_before = !order.empty() && order.back() == p;
   }
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return likely[a] > likely[b]; });
   // All of them is the most probable choice, then all but the least sure, and so on.
@@ -55,6 +107,12 @@ std::vector<std::vector<std::string>> RobotLanguage::without_background(
     if (count == parts.size()) continue;  // something must be asked for
     std::vector<bool> aside(parts.size(), false);
     for (std::size_t i = 0; i < count; ++i) aside[order[i]] = true;
+    readings.push_back(without(tokens, parts, aside));
+  }
+  // Perhaps only one of them is in the way.
+  for (std::size_t i = 1; i < order.size() && readings.size() < kMostReadings; ++i) {
+    std::vector<bool> aside(parts.size(), false);
+    aside[order[i]] = true;
     readings.push_back(without(tokens, parts, aside));
   }
   return readings;

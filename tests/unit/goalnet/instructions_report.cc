@@ -29,7 +29,18 @@ struct Counts {
   int sensible = 0, reached = 0, refused = 0, nonsense = 0, nonsense_refused = 0;
 };
 
-void report(InstructionRunner& runner, std::vector<std::string> row, bool all, Counts& counts) {
+std::string joined(const std::vector<std::string>& tokens) {
+  std::string text;
+  for (const std::string& token : tokens) text += (text.empty() || token == "'s" ? "" : " ") + token;
+  return text;
+}
+
+std::string words_of(const std::vector<std::string>& tokens, const SentencePart& part) {
+  return joined({tokens.begin() + static_cast<long>(part.begin), tokens.begin() + static_cast<long>(part.end)});
+}
+
+void report(InstructionRunner& runner, const RobotLanguage& language, std::vector<std::string> row, bool all,
+            Counts& counts) {
   row.resize(std::max<std::size_t>(row.size(), 4));
   const WorldState world = runner.room(row[0], row[3]);
   const auto run = runner.follow(world, row[1]);
@@ -49,12 +60,12 @@ void report(InstructionRunner& runner, std::vector<std::string> row, bool all, C
   std::printf("         %s%s%s\n",
               run.refused ? "" : "did:", run.refused ? "" : changes(world.facts, run.facts).c_str(),
               run.message.empty() ? "" : (" (" + run.message + ")").c_str());
-}
-
-std::string joined(const std::vector<std::string>& tokens) {
-  std::string text;
-  for (const std::string& token : tokens) text += (text.empty() || token == "'s" ? "" : " ") + token;
-  return text;
+  if (const auto tokens = tokenize(row[1], Endings::kKept)) {
+    std::printf("         background:");
+    for (const SentencePart& part : language.parts(*tokens))
+      std::printf(" [%s] %.2f", words_of(*tokens, part).c_str(), language.background(part));
+    std::printf("\n");
+  }
 }
 
 void print_parts(InstructionRunner& runner, const RobotLanguage& language, std::size_t number,
@@ -72,9 +83,7 @@ void print_parts(InstructionRunner& runner, const RobotLanguage& language, std::
     std::vector<bool> aside(parts.size(), false);
     aside[i] = true;
     const bool background = parts.size() > 1 && does(joined(language.without(*tokens, parts, aside)));
-    const std::vector<std::string> words(tokens->begin() + static_cast<long>(parts[i].begin),
-                                         tokens->begin() + static_cast<long>(parts[i].end));
-    std::printf("part\t%zu\t%d\t%s", number, background ? 1 : 0, joined(words).c_str());
+    std::printf("part\t%zu\t%d\t%s", number, background ? 1 : 0, words_of(*tokens, parts[i]).c_str());
     for (const std::string& sign : parts[i].signs) std::printf("\t%s", sign.c_str());
     std::printf("\n");
   }
@@ -88,16 +97,16 @@ int main(int argc, char** argv) {
   try {
     InstructionRunner runner;
     Counts counts;
+    Symbols symbols;
+    const auto language = RobotLanguage::load(symbols);
+    if (!language) throw std::runtime_error(language.error().message);
     if (argc > 2 && std::strcmp(argv[2], "--parts") == 0) {
-      Symbols symbols;
-      const auto language = RobotLanguage::load(symbols);
-      if (!language) throw std::runtime_error(language.error().message);
       std::size_t number = 0;
       for (const auto& row : read_rows(argv[1])) print_parts(runner, **language, ++number, row);
       return 0;
     }
     for (const auto& row : read_rows(argv[1]))
-      if (row.size() > 1) report(runner, row, argc > 2 && std::strcmp(argv[2], "--all") == 0, counts);
+      if (row.size() > 1) report(runner, **language, row, argc > 2 && std::strcmp(argv[2], "--all") == 0, counts);
     std::printf("sensible: %d of %d reached, %d refused, %d wrong; nonsense: %d of %d refused\n",
                 counts.reached, counts.sensible, counts.refused,
                 counts.sensible - counts.reached - counts.refused, counts.nonsense_refused, counts.nonsense);
