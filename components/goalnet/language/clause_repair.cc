@@ -139,6 +139,7 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   NounPhrase phrase;
   std::size_t done = reader_.read(at, end, phrase);
   if (done == at || phrase.person || phrase.pronoun || phrase.unknown) return at;
+  if (phrase.phrase == "channel" && phrase.number > 0) return at;  // "channel 6, and unmute it"
   // "the tap!! Somebody left it running"
   if (done >= end && end < words_.size() &&
       std::none_of(result_.clauses.begin(), result_.clauses.end(),

@@ -62,11 +62,22 @@ void RobotLanguage::other_readings(const std::vector<std::string>& tokens, const
     ++reading.understanding.passed_over;
     return;
   }
-  for (const auto& request : without_background(tokens))
-    if (makes_sense(request)) {
+  for (const auto& request : without_background(tokens)) {
+    if (!makes_sense(request.words)) continue;
+    // Each part that is left and surely asks for something must have been read as such.
+    const bool all_read = std::none_of(request.less.begin(), request.less.end(), [&](const auto& less) {
+      const Understanding other =
+          reader.read(normal_words(less, *language_), reading.instruction, start, distances);
+      return other.complete && other.macros == reading.understanding.macros;
+    });
+    if (all_read) {
       ++reading.understanding.passed_over;
       return;
     }
+    reading.understanding.complete = false;
+    reading.understanding.macros.clear(), reading.understanding.steps.clear();
+    reading.understanding.problems = {"it is not clear which part of that is the request; say it on its own"};
+  }
 }
 
 // "submerge the plate in the sink": a way of moving things, by what it moves and where.

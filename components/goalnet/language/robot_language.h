@@ -37,8 +37,12 @@ class RobotLanguage {
   // other_readings.cc: `reading` becomes one that makes sense where there is one.
   void other_readings(const std::vector<std::string>& tokens, const FrameReader& reader,
                       const SymState& start, const Distances* distances, Reading& reading);
-  // set_aside.cc: readings without what is most likely background, the most probable one first.
-  std::vector<std::vector<std::string>> without_background(const std::vector<std::string>& tokens) const;
+  struct WithoutBackground {
+    std::vector<std::string> words;
+    std::vector<std::vector<std::string>> less;  // without one more part that surely asks for something
+  };
+  // set_aside.cc: the words without what is most likely background, the most probable choice first.
+  std::vector<WithoutBackground> without_background(const std::vector<std::string>& tokens) const;
   bool idle(const std::vector<std::string>& tokens, const SentencePart& part) const;
   std::vector<std::string> with_known_verbs(const std::vector<std::string>& tokens) const;
   std::vector<std::string> without_describing(const std::vector<std::string>& tokens) const;

@@ -169,6 +169,10 @@ std::vector<std::string> without_parts(const std::vector<std::string>& tokens,
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (!aside[p]) continue;
     keep_to(parts[p].begin);
+    if (tokens[parts[p].begin] == "not") {  // "..., not from a can": what is denied is not "it"
+      done = parts[p].end;
+      continue;
+    }
     // What it names: names with the words that belong to them.
     std::vector<std::string> things;
     for (std::size_t i = parts[p].begin; i < parts[p].end; ++i) {

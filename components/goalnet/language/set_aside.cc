@@ -12,18 +12,21 @@ namespace {
 using namespace word_group;
 
 constexpr double kLeast = 0.35;           // how likely a part that is set aside must be background
-constexpr double kLeastOrder = 0.8;       // the same of one that begins as orders do
+constexpr double kSure = 0.8;             // the same of one that begins as orders do, or speaks of time or number
+constexpr double kMostRequest = 0.1;      // less likely background surely asks for something
 constexpr double kLeastIdle = 0.15;       // the same of one that speaks of nothing here and begins as no order does
 constexpr double kLeastBeside = 0.04;     // and begins with "for" or "if you", or is one word
 constexpr std::size_t kMostReadings = 6;  // that are tried
 
 // Words that change what other parts ask for; a part that has one of them is never set aside.
-constexpr std::array kTurnsRequest = {"if"sv,      "unless"sv, "except"sv,   "instead"sv,   "without"sv,
-                                      "otherwise"sv, "until"sv,  "till"sv,     "only"sv,      "rather"sv,
-                                      "whenever"sv, "hour"sv,   "hours"sv,    "minutes"sv,   "minute"sv,
-                                      "mins"sv,    "later"sv,  "tomorrow"sv, "tonight"sv,   "oclock"sv,
-                                      "wait"sv,    "sorry"sv,  "actually"sv, "mean"sv,      "every"sv,
-                                      "both"sv,    "all"sv,    "each"sv,     "other"sv,     "one"sv,     "ones"sv,    "anything"sv, "everything"sv};
+constexpr std::array kTurnsRequest = {
+    "if"sv,    "unless"sv, "except"sv,   "instead"sv, "without"sv, "otherwise"sv, "until"sv,    "till"sv,      "rather"sv,
+    "wait"sv,  "sorry"sv,  "actually"sv, "mean"sv,    "whenever"sv, "other"sv,    "anything"sv, "everything"sv, "one"sv,
+    "ones"sv};
+// Words of time and of how many: only where the part is surely background.
+constexpr std::array kMayTurn = {"hour"sv,     "hours"sv,   "minutes"sv, "minute"sv, "mins"sv, "later"sv,
+                                 "tomorrow"sv, "tonight"sv, "oclock"sv,  "every"sv,  "both"sv, "all"sv,
+                                 "each"sv,     "only"sv};
 constexpr std::array kJoins = {"and"sv, "then"sv, "please"sv, "so"sv, "but"sv};
 // Nor one that begins with these, but for going on with one that is set aside ("I like glasses, not cans").
 constexpr std::array kDenies = {"not"sv, "no"sv, "dont"sv, "never"sv, "nothing"sv, "nobody"sv};
@@ -54,11 +57,13 @@ bool RobotLanguage::idle(const std::vector<std::string>& tokens, const SentenceP
   for (std::size_t i = part.begin; i < part.end; ++i) {
     const std::string stem = singular(tokens[i]);
     const bool no_more = tokens[i] == "more" && i > part.begin && tokens[i - 1] == "no";
+    const bool particle = one_of(tokens[i], kParticles) && i > part.begin && language_->english_verb(tokens[i - 1]) &&
+                          !language_->copula(tokens[i - 1]);  // "kick off", "walk around"
     const bool modal = tokens[i] == "can" && i > part.begin && one_of(tokens[i - 1], kSubjects);
     if ((language_->names_thing(stem) && !modal) || language_->content(stem) != symbol::kNone ||
         (one_of(tokens[i], kPoints) && !no_more) ||
         (language_->may_be_a_slip(tokens[i]) && !language_->corrections(tokens[i]).empty()) ||
-        language_->wanted_by_state(tokens[i]) != Frame::kNone || language_->wish(tokens[i]) != nullptr)
+        (language_->wanted_by_state(tokens[i]) != Frame::kNone && !particle) || language_->wish(tokens[i]) != nullptr)
       return false;
   }
   return true;
@@ -74,15 +79,18 @@ std::vector<std::string> RobotLanguage::without(const std::vector<std::string>& 
   return without_parts(tokens, parts, aside, *language_, *lexicon_);
 }
 
-std::vector<std::vector<std::string>> RobotLanguage::without_background(
+std::vector<RobotLanguage::WithoutBackground> RobotLanguage::without_background(
     const std::vector<std::string>& tokens) const {
   const std::vector<SentencePart> parts = this->parts(tokens);
   std::vector<double> likely(parts.size(), 0);
   std::vector<std::size_t> order;  // of those that may be set aside, the likeliest background first
   bool aside_before = false;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    bool may = true;
-    for (std::size_t i = parts[p].begin; i < parts[p].end; ++i) may = may && (!one_of(tokens[i], kTurnsRequest) || polite(tokens, i));
+    bool may = true, may_turn = false;
+    for (std::size_t i = parts[p].begin; i < parts[p].end; ++i) {
+      may = may && (!one_of(tokens[i], kTurnsRequest) || polite(tokens, i));
+      may_turn = may_turn || one_of(tokens[i], kMayTurn);
+    }
     const bool idle = this->idle(tokens, parts[p]);
     if (one_of(tokens[parts[p].begin], kDenies) && (!idle || parts[p].end - parts[p].begin == 1))
       may = may && p > 0 && aside_before;
@@ -97,23 +105,33 @@ std::vector<std::vector<std::string>> RobotLanguage::without_background(
     if (p + 1 < parts.size() && tokens[parts[p + 1].begin] == "and" && language_->english_verb(first) && !one_word &&
         (one_of(tokens[parts[p + 1].begin + 1], kDeterminers) || one_of(tokens[parts[p + 1].begin + 1], kPointers)))
       continue;
-    if (likely[p] >= (orders && !(one_word && idle) ? kLeastOrder : !idle ? kLeast : beside ? kLeastBeside : kLeastIdle)) order.push_back(p);
+    if (likely[p] >= ((orders && !(one_word && idle)) || may_turn ? kSure : !idle ? kLeast : beside ? kLeastBeside : kLeastIdle)) order.push_back(p);
     aside_before = !order.empty() && order.back() == p;
   }
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return likely[a] > likely[b]; });
-  // All of them is the most probable choice, then all but the least sure, and so on.
-  std::vector<std::vector<std::string>> readings;
-  for (std::size_t count = order.size(); count > 0 && readings.size() < kMostReadings; --count) {
-    if (count == parts.size()) continue;  // something must be asked for
+  std::vector<WithoutBackground> readings;
+  const auto add = [&](const std::vector<bool>& aside) {
+    if (readings.size() >= kMostReadings || std::find(aside.begin(), aside.end(), false) == aside.end()) return;
+    WithoutBackground reading{without(tokens, parts, aside), {}};
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      if (aside[p] || background(parts[p]) > kMostRequest) continue;
+      std::vector<bool> more = aside;
+      more[p] = true;
+      if (std::find(more.begin(), more.end(), false) != more.end())
+        reading.less.push_back(without(tokens, parts, more));
+    }
+    readings.push_back(std::move(reading));
+  };
+  // All of them is the most probable choice, then all but the least sure, and so on; perhaps only one is in the way.
+  for (std::size_t count = order.size(); count > 0; --count) {
     std::vector<bool> aside(parts.size(), false);
     for (std::size_t i = 0; i < count; ++i) aside[order[i]] = true;
-    readings.push_back(without(tokens, parts, aside));
+    add(aside);
   }
-  // Perhaps only one of them is in the way.
-  for (std::size_t i = 1; i < order.size() && readings.size() < kMostReadings; ++i) {
+  for (std::size_t i = 1; i < order.size(); ++i) {
     std::vector<bool> aside(parts.size(), false);
     aside[order[i]] = true;
-    readings.push_back(without(tokens, parts, aside));
+    add(aside);
   }
   return readings;
 }
