@@ -46,6 +46,7 @@ struct ParsedSentence {
   std::vector<std::string> stray;   // words outside any clause that nobody could read
   std::vector<std::string> passed;  // words of parts that were passed over, as they ask for nothing here
   bool for_later = false;           // "in an hour, ..."
+  bool wonders = false;             // "I wonder if ...": asks
   std::string problem;              // why the sentence cannot be a request at all ("if ..."); empty: none
 };
 

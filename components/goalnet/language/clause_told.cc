@@ -155,6 +155,7 @@ std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
     if (k + 1 >= end || (words_[k] != "wonder" && words_[k] != "wondering") ||
         (words_[k + 1] != "if" && words_[k + 1] != "whether"))
       return at;
+    result_.wonders = true;
     add_told(at, part_end(at, end));
     return part_end(at, end);
   }

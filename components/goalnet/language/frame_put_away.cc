@@ -1,5 +1,7 @@
 // Putting things where nobody says: away, back, where they belong, on top of each other, a disc where discs
 // go.
+#include <algorithm>
+
 #include "components/goalnet/language/frame_actions.h"
 #include "components/goalnet/language/symbol_list.h"
 
@@ -11,7 +13,12 @@ std::string FrameActions::put_without_place(const Clause& clause) {
   const NounPhrase* thing = clause.first(Role::kDirect);
   const bool on = clause.has_particle("on"), off = clause.has_particle("off");
   if (on || off) {
-    if (thing != nullptr && !thing->pronoun && !resolver_.options(*thing, Sort::kDevice, now_).empty())
+    const bool burner = at_home_ && thing != nullptr && !thing->bare() &&
+                        std::ranges::any_of(resolver_.named(*thing), [&](Symbol object) {
+                          return resolver_.is_of_class(object, "burner");
+                        });
+    if (thing != nullptr && !thing->pronoun &&
+        (burner || !resolver_.options(*thing, Sort::kDevice, now_).empty()))
       return turn(clause, on ? 1 : 0);
     if (on && thing != nullptr &&
         resolver_.is_of_class(

@@ -162,6 +162,21 @@ std::string FrameActions::take(const Clause& clause) {
     const bool hot =
         content == kCoffee && (thing->has("hot") || thing->has("warm"));  // "let me have a hot coffee"
     if (at_home_ && content == kIceCream && clause.first(Role::kDestination) != nullptr) return make(clause);
+    if (at_home_ && drink && thing->count > 1 && !thing->content.empty()) {
+      // "two long cups of water": each of them
+      NounPhrase vessel = *thing;
+      vessel.content.clear();
+      const Objects vessels = resolver_.chosen(vessel, resolver_.options(vessel, Sort::kVessel, now_));
+      if (vessels.size() == static_cast<std::size_t>(thing->count)) {
+        for (const Symbol object : vessels) {
+          Clause one = clause;
+          one.phrases.front().count = 0, one.phrases.front().plural = one.phrases.front().all = false;
+          one.phrases.front().number = number_of(resolver_.name(object));
+          if (const Problem problem = make(one); !problem.empty()) return problem;
+        }
+        return {};
+      }
+    }
     if (drink && (hot || resolver_.options(*thing, Sort::kMovable, now_).empty())) return make(clause);
   }
   // "take the mug to the sink" says where to put it; "take the mug on the shelf" where it is.

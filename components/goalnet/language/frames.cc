@@ -73,9 +73,11 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
     const bool only_asks = std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
                                        [](const Clause& clause) { return clause.mood == Mood::kQuestion; });
     result.only_forbids = forbids;
+    result.only_asks = sentence.wonders;
     std::string problem =
         forbids     ? "the sentence forbids something but asks for nothing"
-        : only_asks ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
+        : only_asks || sentence.wonders
+                  ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
                     : "there is no verb that a robot could act on";
     if (!sentence.stray.empty())
       problem += "; " + language_.unknown_word(sentence.stray.front());

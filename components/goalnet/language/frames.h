@@ -19,6 +19,7 @@ struct Understanding {
   bool unknown_thing = false;         // all of the problems: things that are not here; the rest was read
   bool for_later = false;             // a wish that nobody here keeps until then
   bool only_forbids = false;          // "do not open the fridge"
+  bool only_asks = false;             // "I wonder if the fridge is open"
   bool nothing_known = false;         // no verb, or nothing it could be about
 
   // How the reading came about; what the confidence is made of.

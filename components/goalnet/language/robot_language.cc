@@ -82,7 +82,8 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   const FrameReader reader(*lexicon_, *language_, symbols_, true);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
   if (reading.understanding.complete || reading.understanding.for_later) return reading;
-  if (reading.understanding.only_forbids) return reading;  // no other spelling may turn that round
+  if (reading.understanding.only_forbids || reading.understanding.only_asks)
+    return reading;  // no other spelling may turn that round
   other_readings(tokens, reader, start, distances, reading);
   return reading;
 }

@@ -177,6 +177,8 @@ std::vector<std::string> without_parts(const std::vector<std::string>& tokens,
     std::vector<std::string> things;
     for (std::size_t i = parts[p].begin; i < parts[p].end; ++i) {
       const std::string stem = singular(tokens[i]);
+      const bool modal = tokens[i] == "can" && (i == parts[p].begin || one_of(tokens[i - 1], kSubjects));
+      if (modal || stem.size() < 3 || one_of(stem, kOpeners)) continue;
       if (!lexicon.is_word_of_name(stem) && language.content(stem) == symbol::kNone) continue;
       const bool goes_on = !things.empty() && i > parts[p].begin && things.back() == tokens[i - 1];
       if (!goes_on) things.insert(things.end(), {",", "told_of", "the"});

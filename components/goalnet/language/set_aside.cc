@@ -13,6 +13,7 @@ using namespace word_group;
 
 constexpr double kLeast = 0.35;           // how likely a part that is set aside must be background
 constexpr double kSure = 0.8;             // the same of one that begins as orders do, or speaks of time or number
+constexpr std::size_t kShortestRequest = 3;  // words
 constexpr double kMostRequest = 0.1;      // less likely background surely asks for something
 constexpr double kLeastIdle = 0.15;       // the same of one that speaks of nothing here and begins as no order does
 constexpr double kLeastBeside = 0.04;     // and begins with "for" or "if you", or is one word
@@ -114,7 +115,8 @@ std::vector<RobotLanguage::WithoutBackground> RobotLanguage::without_background(
     if (readings.size() >= kMostReadings || std::find(aside.begin(), aside.end(), false) == aside.end()) return;
     WithoutBackground reading{without(tokens, parts, aside), {}};
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      if (aside[p] || background(parts[p]) > kMostRequest) continue;
+      if (aside[p] || background(parts[p]) > kMostRequest || idle(tokens, parts[p])) continue;
+      if (parts[p].end - parts[p].begin < kShortestRequest) continue;
       std::vector<bool> more = aside;
       more[p] = true;
       if (std::find(more.begin(), more.end(), false) != more.end())

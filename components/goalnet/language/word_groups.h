@@ -64,7 +64,7 @@ inline constexpr std::array kDesire = {"better"sv,  "go"sv,       "goes"sv, "goe
                                        "want"sv,    "supposed"sv, "shall"sv};
 
 // What rewriting leaves where a sentence takes a turn.
-inline constexpr std::array kTurns = {"correction"sv, "do_that"sv, "hint"sv, "wish_to"sv};
+inline constexpr std::array kTurns = {"correction"sv, "do_that"sv, "hint"sv, "wish_to"sv, "told_of"sv};
 
 // What people rather do themselves: "I want to play, hand me the controller".
 inline constexpr std::array kPeopleDo = {"sit"sv,   "rest"sv,  "play"sv, "cook"sv, "bake"sv,
