@@ -1,5 +1,5 @@
-// How likely a part of a message is background: it asks for nothing itself ("I bought it ages ago", "so it softens
-// a bit"). A logistic function over signs of the part, fitted on labelled instructions
+// How likely a part of a message is background: it asks for nothing itself ("I bought it ages ago", "so it
+// softens a bit"). A logistic function over signs of the part, fitted on labelled instructions
 // (tools/fit_background; config/language/background.json).
 #pragma once
 

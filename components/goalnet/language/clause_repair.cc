@@ -71,11 +71,12 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
       result_.clauses.pop_back();
   Clause* last = result_.clauses.empty() ? nullptr : &result_.clauses.back();
   if (last == nullptr || last->mood != Mood::kCommand) return std::max(next, at + 1);
-  const bool alone = language_.hears_people() && next >= end && end + 1 < words_.size();  // "No wait. Put it there."
+  const bool alone =
+      language_.hears_people() && next >= end && end + 1 < words_.size();  // "No wait. Put it there."
   if (next >= end && !alone) return std::max(next, at + 1);
   if (const std::size_t anew = alone ? end + 1 : next;
       opens_command(anew, words_.size()) || words_[anew] == "wish") {  // said anew
-    if (language_.hears_people()) {  // what it was about may still be "it"
+    if (language_.hears_people()) {                                    // what it was about may still be "it"
       last->mood = Mood::kStatement, last->frame = Frame::kNone, last->verb.clear(), last->state.clear();
       std::erase_if(last->phrases, [](const NounPhrase& phrase) { return phrase.role != Role::kDirect; });
     } else {

@@ -143,6 +143,8 @@ std::string FrameActions::scoop_into(Symbol target, int times) {
 std::string FrameActions::scoop(const Clause& clause) {
   const NounPhrase* destination = clause.first(Role::kDestination);
   const NounPhrase* thing = clause.first(Role::kDirect);
+  if (at_home_ && destination == nullptr && thing != nullptr && thing->scoop && thing->at.size() == 1)
+    destination = &thing->at.front();  // "I want a scoop of ice cream in the bowl"
   int times = 1;
   if (thing != nullptr) {
     const bool ice_cream = thing->scoop

@@ -72,8 +72,8 @@ FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort so
     std::erase_if(options, [&](Symbol object) { return contains(excluded, object); });
   }
   // "the coke is finished, throw away the can": of several, what was spoken of
-  if (at_home_ && phrase.definite && !phrase.plural && !phrase.all && phrase.count == 0 && phrase.number == 0 &&
-      phrase.ordinal == 0 && phrase.adjectives.empty() && phrase.role == Role::kDirect)
+  if (at_home_ && phrase.definite && !phrase.plural && !phrase.all && phrase.count == 0 &&
+      phrase.number == 0 && phrase.ordinal == 0 && phrase.adjectives.empty() && phrase.role == Role::kDirect)
     for (auto spoken = history_.rbegin(); spoken != history_.rend(); ++spoken) {
       const auto told = [&](Symbol object) { return contains(*spoken, object); };
       if (std::none_of(options.begin(), options.end(), told)) continue;

@@ -129,20 +129,6 @@ std::string FrameActions::take(const Clause& clause) {
       return fill(filled);
     }
   }
-  // "I want a scoop of ice cream in the bowl": put there, not brought
-  if (const NounPhrase* thing = clause.first(Role::kDirect);
-      at_home_ && clause.wish && thing != nullptr && thing->scoop &&
-      (clause.first(Role::kDestination) != nullptr || thing->at.size() == 1)) {
-    Clause scooped = clause;
-    scooped.frame = Frame::kPlace, scooped.verb = "put", scooped.wish = scooped.to_person = false;
-    if (clause.first(Role::kDestination) == nullptr) {
-      NounPhrase place = thing->at.front();
-      place.role = Role::kDestination;
-      for (NounPhrase& phrase : scooped.phrases) phrase.at.clear();
-      scooped.phrases.push_back(std::move(place));
-    }
-    return put(scooped);
-  }
   // "the book, I would like it on the table"
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       clause.wish && thing != nullptr && thing->pronoun && clause.first(Role::kDestination) != nullptr) {

@@ -75,10 +75,10 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
     result.only_forbids = forbids;
     result.only_asks = sentence.wonders;
     std::string problem =
-        forbids     ? "the sentence forbids something but asks for nothing"
+        forbids ? "the sentence forbids something but asks for nothing"
         : only_asks || sentence.wonders
-                  ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
-                    : "there is no verb that a robot could act on";
+            ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
+            : "there is no verb that a robot could act on";
     if (!sentence.stray.empty())
       problem += "; " + language_.unknown_word(sentence.stray.front());
     else if (!sentence.passed.empty())

@@ -25,7 +25,8 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   constexpr int kFiles = 7;
   std::string texts[kFiles], paths[kFiles];
   const char* names[kFiles] = {"language/household.json",  "language/english.json", "language/words.json",
-                               "language/confidence.json", "language/kinds.json",   "language/talk.json", "language/background.json"};
+                               "language/confidence.json", "language/kinds.json",   "language/talk.json",
+                               "language/background.json"};
   for (int i = 0; i < kFiles; ++i) {
     paths[i] = config_path(names[i]);
     auto text = text_of(paths[i]);

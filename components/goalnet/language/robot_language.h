@@ -13,8 +13,8 @@ namespace goalnet::inference {
 
 class RobotLanguage {
  public:
-  // Reads household.json, english.json, words.json, confidence.json, kinds.json, talk.json and background.json. Fails with
-  // kInvalidRequest: which file, what is wrong.
+  // Reads household.json, english.json, words.json, confidence.json, kinds.json, talk.json and
+  // background.json. Fails with kInvalidRequest: which file, what is wrong.
   static Expected<std::unique_ptr<RobotLanguage>> load(Symbols& symbols);
 
   struct Reading {
@@ -31,7 +31,8 @@ class RobotLanguage {
   std::vector<SentencePart> parts(const std::vector<std::string>& tokens) const;
   // The words with those parts set aside.
   std::vector<std::string> without(const std::vector<std::string>& tokens,
-                                   const std::vector<SentencePart>& parts, const std::vector<bool>& aside) const;
+                                   const std::vector<SentencePart>& parts,
+                                   const std::vector<bool>& aside) const;
 
  private:
   // other_readings.cc: `reading` becomes one that makes sense where there is one.

@@ -13,23 +13,23 @@ namespace {
 
 using namespace word_group;
 
-constexpr std::array kOpeners = {"so"sv,       "because"sv, "cause"sv,  "cuz"sv,  "coz"sv,  "cos"sv,
-                                 "since"sv,    "but"sv,     "as"sv,     "while"sv, "before"sv, "after"sv,
-                                 "when"sv,     "whenever"sv, "though"sv, "although"sv, "until"sv, "till"sv,
-                                 "who"sv,      "which"sv,   "for"sv,    "like"sv, "if"sv,   "unless"sv,
-                                 "otherwise"sv, "except"sv, "instead"sv};
+constexpr std::array kOpeners = {
+    "so"sv,     "because"sv,  "cause"sv,  "cuz"sv,       "coz"sv,    "cos"sv,    "since"sv,
+    "but"sv,    "as"sv,       "while"sv,  "before"sv,    "after"sv,  "when"sv,   "whenever"sv,
+    "though"sv, "although"sv, "until"sv,  "till"sv,      "who"sv,    "which"sv,  "for"sv,
+    "like"sv,   "if"sv,       "unless"sv, "otherwise"sv, "except"sv, "instead"sv};
 constexpr std::array kModals = {"can"sv, "could"sv, "would"sv, "will"sv, "might"sv};
-constexpr std::array kShortened = {"im"sv,   "ive"sv, "id"sv,    "ill"sv,   "were"sv, "weve"sv,
+constexpr std::array kShortened = {"im"sv,  "ive"sv,  "id"sv,     "ill"sv,   "were"sv, "weve"sv,
                                    "hes"sv, "shes"sv, "theyre"sv, "youre"sv, "youve"sv};
 // Before these a verb is no command of its own.
 constexpr std::array kBeforeVerbs = {
-    "to"sv,    "i"sv,     "we"sv,    "you"sv,    "they"sv,   "he"sv,   "she"sv,    "it"sv,    "can"sv,
-    "could"sv, "would"sv, "will"sv,  "should"sv, "must"sv,   "may"sv,  "might"sv,  "and"sv,   "then"sv,
-    "please"sv, "or"sv,   "not"sv,   "dont"sv,   "the"sv,    "a"sv,    "an"sv,     "my"sv,    "your"sv,
-    "just"sv,  "lets"sv,  "us"sv,    "go"sv,     "and"sv,    "some"sv, "this"sv,   "that"sv,  "of"sv,
-    "in"sv,    "on"sv,    "at"sv,    "for"sv,    "never"sv,  "always"sv, "kindly"sv, "also"sv, "two"sv,
-    "his"sv,   "her"sv,   "our"sv,   "their"sv,  "no"sv,     "is"sv,   "are"sv,    "was"sv,   "do"sv,
-    "need"sv,  "let"sv,   "help"sv,  "cant"sv,   "couldnt"sv, "didnt"sv, "wont"sv, "didn"sv,  "who"sv};
+    "to"sv,     "i"sv,     "we"sv,   "you"sv,    "they"sv,    "he"sv,     "she"sv,    "it"sv,   "can"sv,
+    "could"sv,  "would"sv, "will"sv, "should"sv, "must"sv,    "may"sv,    "might"sv,  "and"sv,  "then"sv,
+    "please"sv, "or"sv,    "not"sv,  "dont"sv,   "the"sv,     "a"sv,      "an"sv,     "my"sv,   "your"sv,
+    "just"sv,   "lets"sv,  "us"sv,   "go"sv,     "and"sv,     "some"sv,   "this"sv,   "that"sv, "of"sv,
+    "in"sv,     "on"sv,    "at"sv,   "for"sv,    "never"sv,   "always"sv, "kindly"sv, "also"sv, "two"sv,
+    "his"sv,    "her"sv,   "our"sv,  "their"sv,  "no"sv,      "is"sv,     "are"sv,    "was"sv,  "do"sv,
+    "need"sv,   "let"sv,   "help"sv, "cant"sv,   "couldnt"sv, "didnt"sv,  "wont"sv,   "didn"sv, "who"sv};
 
 bool pauses(const std::string& token) { return token == "." || token == "," || token == ":"; }
 
@@ -72,7 +72,8 @@ std::string PartReader::kind(const std::string& word) const {
 // "the kids are ...", "my mug broke": a subject and a verb follow.
 bool PartReader::tells(std::size_t i) const {
   constexpr std::size_t kLongestSubject = 4;
-  if (!one_of(words_[i], kDeterminers) && !one_of(words_[i], kPossessives)) return one_of(words_[i], kSubjects);
+  if (!one_of(words_[i], kDeterminers) && !one_of(words_[i], kPossessives))
+    return one_of(words_[i], kSubjects);
   for (std::size_t k = i + 2; k < words_.size() && k <= i + kLongestSubject && !pauses(words_[k]); ++k)
     if (language_.copula(words_[k]) || words_[k] == "'s") return true;
   return false;
@@ -84,21 +85,26 @@ bool PartReader::begins(std::size_t i) const {
   const std::string& before = words_[i - 1];
   const std::string next = i + 1 < words_.size() ? words_[i + 1] : ".";
   if (pauses(next)) return false;
-  if (one_of(word, kOpeners)) return word != "like" || (before != "would" && before != "id" && before != "i" && before != "you");
+  if (one_of(word, kOpeners))
+    return word != "like" || (before != "would" && before != "id" && before != "i" && before != "you");
   if (word == "and" || word == "then" || word == "or" || word == "please") {
     std::size_t k = i + 1;
-    while (k + 1 < words_.size() && (words_[k] == "then" || words_[k] == "also" || words_[k] == "please")) ++k;
+    while (k + 1 < words_.size() && (words_[k] == "then" || words_[k] == "also" || words_[k] == "please"))
+      ++k;
     return kinds_[k] == "DO" || kinds_[k] == "DOTHING" || one_of(words_[k], kModals) || tells(k) ||
            language_.english_verb(words_[k]) || one_of(words_[k], kShortened);
   }
-  if (one_of(before, kOpeners) || before == "and" || before == "then" || before == "please" || before == "that")
+  if (one_of(before, kOpeners) || before == "and" || before == "then" || before == "please" ||
+      before == "that")
     return false;
   if (word == "that") return one_of(next, kSubjects) || one_of(next, kPossessives);
   if (one_of(word, kModals)) return next == "you" || next == "someone" || next == "somebody" || next == "we";
   if (one_of(word, kShortened)) return true;
-  if (word == "i" || word == "we") return !one_of(before, kModals) && before != "do" && before != "than" && before != "what" && before != "where";
-  const bool thing_behind = one_of(next, kDeterminers) || one_of(next, kPossessives) || one_of(next, kPointers) ||
-                            is_pronoun(next) || next == "me" || next == "us";
+  if (word == "i" || word == "we")
+    return !one_of(before, kModals) && before != "do" && before != "than" && before != "what" &&
+           before != "where";
+  const bool thing_behind = one_of(next, kDeterminers) || one_of(next, kPossessives) ||
+                            one_of(next, kPointers) || is_pronoun(next) || next == "me" || next == "us";
   return kinds_[i] == "DO" && thing_behind && !one_of(before, kBeforeVerbs) && kinds_[i - 1] != "PERSON";
 }
 
@@ -121,7 +127,8 @@ void PartReader::add_signs(std::size_t index, std::vector<SentencePart>& parts) 
   std::set<std::string> signs;
   const auto at = [&](std::size_t i) { return i < end ? kinds_[i] : std::string("END"); };
   std::size_t head = begin;  // behind "so", "and", "please"
-  while (head + 1 < end && (one_of(words_[head], kOpeners) || words_[head] == "and" || words_[head] == "please" || words_[head] == "then"))
+  while (head + 1 < end && (one_of(words_[head], kOpeners) || words_[head] == "and" ||
+                            words_[head] == "please" || words_[head] == "then"))
     ++head;
   signs.insert("opens " + words_[begin]);
   signs.insert("opens " + at(begin) + " " + at(begin + 1));
@@ -132,7 +139,8 @@ void PartReader::add_signs(std::size_t index, std::vector<SentencePart>& parts) 
   for (std::size_t i = begin; i < end; ++i) {
     const std::string& word = words_[i];
     signs.insert(kinds_[i]);
-    if (kinds_[i] == "DO" || kinds_[i] == "DID" || kinds_[i] == "DOTHING") signs.insert("verb " + language_.verb_base(word));
+    if (kinds_[i] == "DO" || kinds_[i] == "DID" || kinds_[i] == "DOTHING")
+      signs.insert("verb " + language_.verb_base(word));
     if (i + 1 < end) signs.insert(kinds_[i] + " " + kinds_[i + 1]);
     if (word.size() > 4 && word.ends_with("ed")) signs.insert("-ed");
     if (word.size() > 5 && word.ends_with("ing")) signs.insert("-ing");
@@ -142,11 +150,20 @@ void PartReader::add_signs(std::size_t index, std::vector<SentencePart>& parts) 
     if (!language_.known(word)) signs.insert("unknown");
   }
   const std::size_t length = end - begin;
-  signs.insert(length == 1 ? "one word" : length == 2 ? "two words" : length < 5 ? "short" : length < 9 ? "long" : "longest");
-  signs.insert(parts[index].within ? "begins within" : begin == 0 ? "begins all" : "begins behind " + words_[begin - 1]);
+  signs.insert(length == 1   ? "one word"
+               : length == 2 ? "two words"
+               : length < 5  ? "short"
+               : length < 9  ? "long"
+                             : "longest");
+  signs.insert(parts[index].within ? "begins within"
+               : begin == 0        ? "begins all"
+                                   : "begins behind " + words_[begin - 1]);
   const std::string behind = end < words_.size() ? (pauses(words_[end]) ? words_[end] : "part") : ".";
   signs.insert("ends at " + behind);
-  signs.insert(parts.size() == 1 ? "only" : index == 0 ? "first" : index + 1 == parts.size() ? "last part" : "between");
+  signs.insert(parts.size() == 1           ? "only"
+               : index == 0                ? "first"
+               : index + 1 == parts.size() ? "last part"
+                                           : "between");
   parts[index].signs.assign(signs.begin(), signs.end());
 }
 

@@ -20,7 +20,8 @@ struct SentencePart {
 std::vector<SentencePart> sentence_parts(const std::vector<std::string>& tokens, const Language& language,
                                          const Lexicon& lexicon);
 
-// The words without those parts. Of the things that a part names "told_of THINGS" stays, so that "it" can be one.
+// The words without those parts. Of the things that a part names "told_of THINGS" stays, so that "it" can be
+// one.
 std::vector<std::string> without_parts(const std::vector<std::string>& tokens,
                                        const std::vector<SentencePart>& parts, const std::vector<bool>& aside,
                                        const Language& language, const Lexicon& lexicon);

@@ -11,23 +11,24 @@ namespace {
 
 using namespace word_group;
 
-constexpr double kLeast = 0.35;           // how likely a part that is set aside must be background
-constexpr double kSure = 0.8;             // the same of one that begins as orders do, or speaks of time or number
+constexpr double kLeast = 0.35;  // how likely a part that is set aside must be background
+constexpr double kSure = 0.8;    // the same of one that begins as orders do, or speaks of time or number
 constexpr std::size_t kShortestRequest = 3;  // words
-constexpr double kMostRequest = 0.1;      // less likely background surely asks for something
-constexpr double kLeastIdle = 0.15;       // the same of one that speaks of nothing here and begins as no order does
+constexpr double kMostRequest = 0.1;         // less likely background surely asks for something
+constexpr double kLeastIdle =
+    0.15;  // the same of one that speaks of nothing here and begins as no order does
 constexpr double kLeastBeside = 0.04;     // and begins with "for" or "if you", or is one word
 constexpr std::size_t kMostReadings = 6;  // that are tried
 
 // Words that change what other parts ask for; a part that has one of them is never set aside.
-constexpr std::array kTurnsRequest = {
-    "if"sv,    "unless"sv, "except"sv,   "instead"sv, "without"sv, "otherwise"sv, "until"sv,    "till"sv,      "rather"sv,
-    "wait"sv,  "sorry"sv,  "actually"sv, "mean"sv,    "whenever"sv, "other"sv,    "anything"sv, "everything"sv, "one"sv,
-    "ones"sv};
+constexpr std::array kTurnsRequest = {"if"sv,        "unless"sv,     "except"sv, "instead"sv,  "without"sv,
+                                      "otherwise"sv, "until"sv,      "till"sv,   "rather"sv,   "wait"sv,
+                                      "sorry"sv,     "actually"sv,   "mean"sv,   "whenever"sv, "other"sv,
+                                      "anything"sv,  "everything"sv, "one"sv,    "ones"sv};
 // Words of time and of how many: only where the part is surely background.
-constexpr std::array kMayTurn = {"hour"sv,     "hours"sv,   "minutes"sv, "minute"sv, "mins"sv, "later"sv,
-                                 "tomorrow"sv, "tonight"sv, "oclock"sv,  "every"sv,  "both"sv, "all"sv,
-                                 "each"sv,     "only"sv};
+constexpr std::array kMayTurn = {"hour"sv,  "hours"sv,    "minutes"sv, "minute"sv, "mins"sv,
+                                 "later"sv, "tomorrow"sv, "tonight"sv, "oclock"sv, "every"sv,
+                                 "both"sv,  "all"sv,      "each"sv,    "only"sv};
 constexpr std::array kJoins = {"and"sv, "then"sv, "please"sv, "so"sv, "but"sv};
 // Nor one that begins with these, but for going on with one that is set aside ("I like glasses, not cans").
 constexpr std::array kDenies = {"not"sv, "no"sv, "dont"sv, "never"sv, "nothing"sv, "nobody"sv};
@@ -35,7 +36,7 @@ constexpr std::array kDenies = {"not"sv, "no"sv, "dont"sv, "never"sv, "nothing"s
 // "if you can", "if it is no trouble"
 bool polite(const std::vector<std::string>& tokens, std::size_t i) {
   static constexpr std::array kWhose = {"you"sv, "youd"sv, "youre"sv, "thats"sv, "possible"sv, "i"sv};
-  static constexpr std::array kMay = {"can"sv,  "could"sv, "would"sv, "may"sv,   "are"sv,  "will"sv,
+  static constexpr std::array kMay = {"can"sv,  "could"sv, "would"sv, "may"sv,    "are"sv,  "will"sv,
                                       "have"sv, "dont"sv,  "like"sv,  "manage"sv, "know"sv, "be"sv};
   return tokens[i] == "if" && i + 2 < tokens.size() && one_of(tokens[i + 1], kWhose) &&
          (one_of(tokens[i + 2], kMay) || tokens[i + 1] == "possible");
@@ -45,26 +46,30 @@ bool polite(const std::vector<std::string>& tokens, std::size_t i) {
 
 // Whether the part names nothing of this place, not even by "it", and does not begin as orders do.
 bool RobotLanguage::idle(const std::vector<std::string>& tokens, const SentencePart& part) const {
-  static constexpr std::array kPoints = {"it"sv,   "them"sv, "that"sv, "those"sv, "this"sv, "one"sv, "ones"sv,
-                                         "here"sv, "there"sv, "some"sv, "another"sv, "more"sv, "again"sv};
+  static constexpr std::array kPoints = {"it"sv,      "them"sv, "that"sv, "those"sv, "this"sv,
+                                         "one"sv,     "ones"sv, "here"sv, "there"sv, "some"sv,
+                                         "another"sv, "more"sv, "again"sv};
   std::size_t head = part.begin;
   while (head + 1 < part.end && one_of(tokens[head], kJoins)) ++head;
   // "a napkin" may be asked for, "a napkin is missing" tells
   const bool named = one_of(tokens[head], kDeterminers) || one_of(tokens[head], kPossessives);
   bool told = one_of(tokens[head], kSubjects) || tokens[head] == "for" || tokens[head] == "if" ||
-              tokens[head] == "no" || (!named && !language_->english_verb(tokens[head])) || part.end - head == 1;
+              tokens[head] == "no" || (!named && !language_->english_verb(tokens[head])) ||
+              part.end - head == 1;
   for (std::size_t i = head; i < part.end && named; ++i) told = told || language_->copula(tokens[i]);
   if (!told) return false;
   for (std::size_t i = part.begin; i < part.end; ++i) {
     const std::string stem = singular(tokens[i]);
     const bool no_more = tokens[i] == "more" && i > part.begin && tokens[i - 1] == "no";
-    const bool particle = one_of(tokens[i], kParticles) && i > part.begin && language_->english_verb(tokens[i - 1]) &&
+    const bool particle = one_of(tokens[i], kParticles) && i > part.begin &&
+                          language_->english_verb(tokens[i - 1]) &&
                           !language_->copula(tokens[i - 1]);  // "kick off", "walk around"
     const bool modal = tokens[i] == "can" && i > part.begin && one_of(tokens[i - 1], kSubjects);
     if ((language_->names_thing(stem) && !modal) || language_->content(stem) != symbol::kNone ||
         (one_of(tokens[i], kPoints) && !no_more) ||
         (language_->may_be_a_slip(tokens[i]) && !language_->corrections(tokens[i]).empty()) ||
-        (language_->wanted_by_state(tokens[i]) != Frame::kNone && !particle) || language_->wish(tokens[i]) != nullptr)
+        (language_->wanted_by_state(tokens[i]) != Frame::kNone && !particle) ||
+        language_->wish(tokens[i]) != nullptr)
       return false;
   }
   return true;
@@ -103,16 +108,23 @@ std::vector<RobotLanguage::WithoutBackground> RobotLanguage::without_background(
     const bool one_word = parts[p].end - parts[p].begin == 1;
     const bool beside = first == "for" || first == "if" || one_word;
     // "lend me your ears and that book": what goes on with "and" may be of the same order
-    if (p + 1 < parts.size() && tokens[parts[p + 1].begin] == "and" && language_->english_verb(first) && !one_word &&
-        (one_of(tokens[parts[p + 1].begin + 1], kDeterminers) || one_of(tokens[parts[p + 1].begin + 1], kPointers)))
+    if (p + 1 < parts.size() && tokens[parts[p + 1].begin] == "and" && language_->english_verb(first) &&
+        !one_word &&
+        (one_of(tokens[parts[p + 1].begin + 1], kDeterminers) ||
+         one_of(tokens[parts[p + 1].begin + 1], kPointers)))
       continue;
-    if (likely[p] >= ((orders && !(one_word && idle)) || may_turn ? kSure : !idle ? kLeast : beside ? kLeastBeside : kLeastIdle)) order.push_back(p);
+    if (likely[p] >= ((orders && !(one_word && idle)) || may_turn ? kSure
+                      : !idle                                     ? kLeast
+                      : beside                                    ? kLeastBeside
+                                                                  : kLeastIdle))
+      order.push_back(p);
     aside_before = !order.empty() && order.back() == p;
   }
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return likely[a] > likely[b]; });
   std::vector<WithoutBackground> readings;
   const auto add = [&](const std::vector<bool>& aside) {
-    if (readings.size() >= kMostReadings || std::find(aside.begin(), aside.end(), false) == aside.end()) return;
+    if (readings.size() >= kMostReadings || std::find(aside.begin(), aside.end(), false) == aside.end())
+      return;
     WithoutBackground reading{without(tokens, parts, aside), {}};
     for (std::size_t p = 0; p < parts.size(); ++p) {
       if (aside[p] || background(parts[p]) > kMostRequest || idle(tokens, parts[p])) continue;
@@ -124,7 +136,8 @@ std::vector<RobotLanguage::WithoutBackground> RobotLanguage::without_background(
     }
     readings.push_back(std::move(reading));
   };
-  // All of them is the most probable choice, then all but the least sure, and so on; perhaps only one is in the way.
+  // All of them is the most probable choice, then all but the least sure, and so on; perhaps only one is in
+  // the way.
   for (std::size_t count = order.size(); count > 0; --count) {
     std::vector<bool> aside(parts.size(), false);
     for (std::size_t i = 0; i < count; ++i) aside[order[i]] = true;

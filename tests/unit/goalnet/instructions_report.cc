@@ -1,6 +1,7 @@
 // How a file of instructions fares, sentence by sentence: what was refused and why, what was done instead.
 //   goalnet_instructions_report FILE [--all]
-//   goalnet_instructions_report FILE --parts     for tools/fit_background: each part of each sentence that reaches its
+//   goalnet_instructions_report FILE --parts     for tools/fit_background: each part of each sentence that
+//   reaches its
 //                                                goal, and whether it does without that part as well
 // FILE: lines of room, sentence, goal (or REFUSE; empty: only tell what is done), changes to the start state;
 // by tabs.
@@ -36,7 +37,8 @@ std::string joined(const std::vector<std::string>& tokens) {
 }
 
 std::string words_of(const std::vector<std::string>& tokens, const SentencePart& part) {
-  return joined({tokens.begin() + static_cast<long>(part.begin), tokens.begin() + static_cast<long>(part.end)});
+  return joined(
+      {tokens.begin() + static_cast<long>(part.begin), tokens.begin() + static_cast<long>(part.end)});
 }
 
 void report(InstructionRunner& runner, const RobotLanguage& language, std::vector<std::string> row, bool all,
@@ -106,7 +108,8 @@ int main(int argc, char** argv) {
       return 0;
     }
     for (const auto& row : read_rows(argv[1]))
-      if (row.size() > 1) report(runner, **language, row, argc > 2 && std::strcmp(argv[2], "--all") == 0, counts);
+      if (row.size() > 1)
+        report(runner, **language, row, argc > 2 && std::strcmp(argv[2], "--all") == 0, counts);
     std::printf("sensible: %d of %d reached, %d refused, %d wrong; nonsense: %d of %d refused\n",
                 counts.reached, counts.sensible, counts.refused,
                 counts.sensible - counts.reached - counts.refused, counts.nonsense_refused, counts.nonsense);
