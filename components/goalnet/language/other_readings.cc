@@ -114,6 +114,7 @@ std::vector<std::string> RobotLanguage::without_describing(const std::vector<std
 // Whether nothing of this place, nothing to do and no "not" or "if" is spoken of.
 bool RobotLanguage::names_nothing(const std::vector<std::string>& tokens, std::size_t begin,
                                   std::size_t end) const {
+  if (needs_unknown(tokens, {.begin = begin, .end = end, .within = false, .signs = {}})) return false;
   static constexpr std::array<std::string_view, 44> kTurns = {
       "not",    "no",       "never",    "dont",   "without", "except", "instead", "or",       "if",
       "unless", "before",   "after",    "until",  "till",    "then",   "hour",    "hours",    "minutes",

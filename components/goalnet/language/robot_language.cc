@@ -82,6 +82,14 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   reading.instruction = see_instruction({}, nullptr, with_parts, *lexicon_, *language_, symbols_);
   const FrameReader reader(*lexicon_, *language_, symbols_, true);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
+  // What cannot be done is no background: the rest is not done without it.
+  for (const SentencePart& part : parts(tokens)) {
+    if (!asks_for_unknown(tokens, part)) continue;
+    if (reading.understanding.complete)
+      reading.understanding.problems = {language_->unknown_word(tokens[part.end - 1])};
+    reading.understanding.complete = false;
+    return reading;
+  }
   if (reading.understanding.complete || reading.understanding.for_later) return reading;
   if (reading.understanding.only_forbids || reading.understanding.only_asks)
     return reading;  // no other spelling may turn that round

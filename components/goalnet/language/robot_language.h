@@ -44,6 +44,8 @@ class RobotLanguage {
   };
   // set_aside.cc: the words without what is most likely background, the most probable choice first.
   std::vector<WithoutBackground> without_background(const std::vector<std::string>& tokens) const;
+  bool asks_for_unknown(const std::vector<std::string>& tokens, const SentencePart& part) const;
+  bool needs_unknown(const std::vector<std::string>& tokens, const SentencePart& part) const;
   bool idle(const std::vector<std::string>& tokens, const SentencePart& part) const;
   std::vector<std::string> with_known_verbs(const std::vector<std::string>& tokens) const;
   std::vector<std::string> without_describing(const std::vector<std::string>& tokens) const;

@@ -44,6 +44,51 @@ bool polite(const std::vector<std::string>& tokens, std::size_t i) {
 
 }  // namespace
 
+// Whether the part asks for what nobody here can do or has: "iron my shirt", "could you mow the lawn". Half
+// of what was asked for is no answer.
+bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, const SentencePart& part) const {
+  static constexpr std::array kLeads = {"and"sv,  "then"sv, "please"sv, "so"sv,    "but"sv,
+                                        "also"sv, "just"sv, "can"sv,    "could"sv, "would"sv,
+                                        "will"sv, "you"sv,  "kindly"sv};
+  static constexpr std::array kCourtesy = {
+      "bless"sv,   "excuse"sv, "pardon"sv, "forgive"sv, "thank"sv,   "thanks"sv, "hurry"sv, "look"sv,
+      "listen"sv,  "see"sv,    "mind"sv,   "guess"sv,   "believe"sv, "trust"sv,  "hope"sv,  "love"sv,
+      "imagine"sv, "be"sv,     "have"sv,   "welcome"sv, "greet"sv,   "hi"sv,     "hello"sv, "cheers"sv,
+      "like"sv,    "damn"sv,   "do"sv,     "is"sv,      "okay"sv,    "know"sv,   "cheer"sv, "watch"sv,
+      "well"sv,    "dear"sv,   "lord"sv,   "man"sv};
+  static constexpr std::array kSome = {"a"sv,       "an"sv,  "the"sv, "my"sv, "some"sv,
+                                       "another"sv, "our"sv, "his"sv, "her"sv};
+  std::size_t head = part.begin;
+  while (head + 1 < part.end && one_of(tokens[head], kLeads)) ++head;
+  bool names = false;  // something of this place
+  for (std::size_t i = head; i < part.end; ++i)
+    names = names || language_->names_thing(tokens[i]) ||
+            language_->content(singular(tokens[i])) != symbol::kNone;
+  if (names) return false;
+  const std::string& verb = tokens[head];
+  const bool plain = !verb.ends_with("ing") && !verb.ends_with("ed") && !verb.ends_with("s");
+  // "iron my shirt": a noun before a determiner is a verb
+  const bool noun = language_->real_word(verb) && !language_->known(verb) && head + 1 < part.end;
+  if (!plain || !(language_->english_verb(verb) || noun) || one_of(verb, kCourtesy) ||
+      one_of(verb, kTurnsRequest) || language_->verb(verb) != Frame::kNone ||
+      language_->synonym(verb) != verb)
+    return false;
+  const bool behind = head > part.begin && (tokens[head - 1] == "and" || tokens[head - 1] == "then");
+  return head + 1 == part.end ? behind  // "and dance"
+                              : one_of(tokens[head + 1], kSome);
+}
+
+// "I also need the newspaper"
+bool RobotLanguage::needs_unknown(const std::vector<std::string>& tokens, const SentencePart& part) const {
+  static constexpr std::array kNeeds = {"need"sv, "want"sv, "fancy"sv, "require"sv};
+  std::size_t head = part.begin;
+  while (head < part.end &&
+         (tokens[head] == "i" || tokens[head] == "we" || tokens[head] == "also" || tokens[head] == "and"))
+    ++head;
+  return head > part.begin && head + 3 == part.end && one_of(tokens[head], kNeeds) &&
+         (one_of(tokens[head + 1], kDeterminers) || one_of(tokens[head + 1], kPossessives));
+}
+
 // Whether the part names nothing of this place, not even by "it", and does not begin as orders do.
 bool RobotLanguage::idle(const std::vector<std::string>& tokens, const SentencePart& part) const {
   static constexpr std::array kPoints = {"it"sv,      "them"sv, "that"sv, "those"sv, "this"sv,
@@ -92,7 +137,7 @@ std::vector<RobotLanguage::WithoutBackground> RobotLanguage::without_background(
   std::vector<std::size_t> order;  // of those that may be set aside, the likeliest background first
   bool aside_before = false;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    bool may = true, may_turn = false;
+    bool may = !asks_for_unknown(tokens, parts[p]) && !needs_unknown(tokens, parts[p]), may_turn = false;
     for (std::size_t i = parts[p].begin; i < parts[p].end; ++i) {
       may = may && (!one_of(tokens[i], kTurnsRequest) || polite(tokens, i));
       may_turn = may_turn || one_of(tokens[i], kMayTurn);
