@@ -109,20 +109,30 @@ void add_back_off(Phases& phases, const Workbench& bench) {
 
 namespace {
 
-// Straight away from what the robot stands before, arms as they are.
+constexpr int kShortWay = 200;  // iterations for a step back
+
+// Away from what the robot stands before, arms as they are: rather straight back, else aside, else a turn.
 Expected<JointTrajectory> step_back(Workbench& bench) {
   const Stand here = bench.stand_of(bench.now());
-  Expected<JointTrajectory> motion = fail(Outcome::kMotionFailed, "no room to step back");
-  for (const double turn : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+  std::vector<Stand> stands;
+  for (const double direction : {0.0, 0.5, -0.5, 1.0, -1.0, 1.57, -1.57}) {
     for (const double distance : {0.40, 0.25}) {
       Stand back = here;
-      back.x -= distance * std::cos(here.yaw + turn);
-      back.y -= distance * std::sin(here.yaw + turn);
-      motion = bench.drive(back);
-      if (motion || motion.error().outcome == Outcome::kCancelled) return motion;
+      back.x -= distance * std::cos(here.yaw + direction);
+      back.y -= distance * std::sin(here.yaw + direction);
+      stands.push_back(back);
     }
   }
-  return motion;
+  for (const double turn : {0.8, -0.8, 1.6, -1.6}) {
+    stands.push_back(here);
+    stands.back().yaw += turn;
+  }
+  for (const Stand& stand : stands) {
+    auto motion = bench.drive(stand, kShortWay);
+    if (motion || motion.error().outcome == Outcome::kCancelled) return motion;
+  }
+  return fail(Outcome::kMotionFailed,
+              "the arm finds no way into the posture for driving, nor is there room to step back");
 }
 
 // The arms into the posture in which the base drives. Where one finds no way into it, between boards or under

@@ -17,7 +17,12 @@ struct GraspState {
 }  // namespace
 
 Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
-  if (bench.arm_holding(object_)) return Phases{};
+  if (const auto arm = bench.arm_holding(object_)) {
+    const auto& facts = bench.world().facts;
+    if (facts.empty() || facts.contains({"Grasping", "Robot", object_})) return Phases{};
+    // Seen from outside it is not held (it hangs at the edge of a pad): let go of it and take it anew.
+    bench.set_held(*arm, std::nullopt);
+  }
   auto reaches = grasp_reaches(bench, object_);
   if (reaches.empty()) {
     return fail(Outcome::kMotionFailed,

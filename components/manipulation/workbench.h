@@ -123,7 +123,7 @@ class Workbench {
   Expected<JointTrajectory> move_straight(std::size_t arm, const std::vector<Pose>& poses,
                                           const Tolerances& tolerances, double speed = 1.0);
   // The base (and lift) to a stand; arms stay as they are.
-  Expected<JointTrajectory> drive(const Stand& goal);
+  Expected<JointTrajectory> drive(const Stand& goal, int iterations = PlannerLimits{}.iterations);
   // Fingers to an opening [m] between them.
   JointTrajectory move_fingers(std::size_t arm, double opening, double speed = 1.0) const;
   // Back to the posture of driving; whatever is held comes close to the chest.

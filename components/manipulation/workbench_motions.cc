@@ -160,7 +160,7 @@ class WithoutRiding {
 
 }  // namespace
 
-Expected<JointTrajectory> Workbench::drive(const Stand& goal) {
+Expected<JointTrajectory> Workbench::drive(const Stand& goal, int iterations) {
   const WithoutRiding scope(checker_);
   std::vector<int> joints{base_x_, base_y_, base_yaw_};
   if (lift_ >= 0) joints.push_back(lift_);
@@ -201,6 +201,7 @@ Expected<JointTrajectory> Workbench::drive(const Stand& goal) {
   };
   path.stopped = stopped_;
   PlannerLimits planner;
+  planner.iterations = iterations;
   planner.range = 0.8;
   auto corners = plan_path(path, planner);
   if (!corners) {

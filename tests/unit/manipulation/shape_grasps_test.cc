@@ -66,6 +66,22 @@ TEST_F(ShapeGrasps, FromAboveTheTipsStayOffTheTable) {
   EXPECT_GT(from_above, 0);
 }
 
+// A bottle's neck is what the fingers close upon from above, whatever its belly measures.
+TEST_F(ShapeGrasps, FromAboveABottleIsHeldByItsNeck) {
+  auto model = box({0.06, 0.06, 0.12});
+  scene::Shape neck;
+  neck.size = Eigen::Vector3d(0.026, 0.026, 0.07);
+  neck.pose.translation().z() = 0.12 + 0.035;
+  model.shapes.push_back(neck);
+  int from_above = 0;
+  for (const auto& c : shape_grasps(model, table_, gripper_)) {
+    if ((table_ * c.tool).linear()(2, 2) > -0.99) continue;
+    ++from_above;
+    EXPECT_NEAR(c.width, 0.026, 1e-9);
+  }
+  EXPECT_GT(from_above, 0);
+}
+
 TEST_F(ShapeGrasps, WhatIsTooThickEverywhereHasNone) {
   EXPECT_TRUE(shape_grasps(box({0.2, 0.2, 0.2}), table_, gripper_).empty());
 }
