@@ -1,0 +1,152 @@
+// A thing named before what is to be done with it ("the fork, bring it to me"); verbs at the end.
+#include <algorithm>
+#include <array>
+
+#include "components/goalnet/language/clause_parser.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+// "the tv turn on please", "the mug bring me": the thing before its verb.
+std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
+  NounPhrase thing, place;
+  std::size_t i = reader_.read(at, end, thing);
+  if (i == at || thing.person || thing.unknown) return at;
+  thing.role = Role::kDirect;
+  std::vector<NounPhrase> phrases = {thing};
+  for (std::size_t done; (done = reader_.read_place(i, end, place)) != i && !place.person; place = {}) {
+    place.role = Role::kDestination;
+    phrases.push_back(place);
+    i = done;
+  }
+  if (!opens_command(i, end) || language_.wanted_by_state(words_[i]) != Frame::kNone ||
+      language_.participle(words_[i]))
+    return at;
+  if (language_.hears_people() && language_.verb(words_[i]) == Frame::kPlace && phrases.size() == 1 &&
+      ends_here(i + 1, end))
+    return at;  // "the right one sticks"
+  for (std::size_t k = i + 1; k < end && words_[k] != ","; ++k) {
+    NounPhrase more;
+    if (reader_.read(k, end, more) != k && !more.person) return at;
+    if (!harmless(k) && !one_of(words_[k], kParticles) && !more.person) return at;
+  }
+  fronted_ = phrases;
+  return command(i, end, Mood::kCommand);
+}
+
+std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
+  NounPhrase phrase;
+  std::size_t done = reader_.read(at, end, phrase);
+  if (done == at || phrase.person || phrase.pronoun || phrase.unknown) return at;
+  if (phrase.phrase == "channel" && phrase.number > 0) return at;  // "channel 6, and unmute it"
+  // "the tap!! Somebody left it running"
+  if (done >= end && end < words_.size() &&
+      std::none_of(result_.clauses.begin(), result_.clauses.end(),
+                   [](const Clause& clause) { return clause.mood == Mood::kCommand; }) &&
+      std::any_of(words_.begin() + static_cast<long>(end), words_.end(), [&](const std::string& word) {
+        return is_pronoun(word) || (language_.hears_people() && (word == "that" || word == "those"));
+      })) {
+    add_told(at, end);
+    return end;
+  }
+  // "the coke, the beer and the chips, all on the table"
+  std::vector<NounPhrase> more;
+  for (std::size_t next = done; next < end && (words_[next] == "," || words_[next] == "and");) {
+    NounPhrase listed;
+    const std::size_t after = reader_.read(next + 1, end, listed);
+    if (after == next + 1 || listed.pronoun || listed.unknown || listed.person || after >= end ||
+        (words_[after] != "," && words_[after] != "and"))
+      break;
+    more.push_back(std::move(listed));
+    done = next = after;
+  }
+  const bool named_only = done < end && words_[done] == ",";
+  for (NounPhrase place; done < end; place = {}) {  // "the can on the stove, give it here"
+    const std::size_t after = reader_.read_place(done, end, place);
+    if (after == done) break;
+    phrase.at.push_back(place);
+    done = after;
+  }
+  // "the cushion on armchair 1 and the one on armchair 2, swap them"
+  while (language_.hears_people() && !phrase.at.empty() && done < end && words_[done] == "and") {
+    NounPhrase other, there;
+    const std::size_t named = reader_.read(done + 1, end, other);
+    const std::size_t after = named == done + 1 ? named : reader_.read_place(named, end, there);
+    if (named == done + 1 || other.pronoun || other.unknown || other.person || after >= end) break;
+    if (after != named) other.at.push_back(there);
+    if (other.at.empty() || (words_[after] != "," && words_[after] != "and")) break;
+    more.push_back(std::move(other));
+    done = after;
+  }
+  // "spoon in the bowl, put it ...": that is a request of its own
+  const bool definite = one_of(words_[at], kArticles) || one_of(words_[at], kPointers) || phrase.everything;
+  // "the beer's empty, toss it", "kettle's already full, boil it"
+  const bool already = done + 2 < end && (words_[done] == "already" || words_[done] == "still");
+  if (already && language_.wanted_by_state(words_[done + 1]) != Frame::kNone && words_[done + 2] == ",")
+    ++done;
+  if (done + 1 < end && words_[done + 1] == "," && (definite || already) &&
+      (language_.wanted_by_state(words_[done]) != Frame::kNone ||
+       language_.complaint(words_[done]) != Frame::kNone))
+    ++done;
+  // "put it in the sink, the mug I mean"
+  if (Clause* last = result_.clauses.empty() ? nullptr : &result_.clauses.back();
+      last != nullptr && last->mood == Mood::kCommand && definite && result_.clauses.size() == 1 &&
+      ends_here(done, end) && (done >= end || words_[done] == "correction")) {
+    bool pronoun = false;
+    for (NounPhrase& old : last->phrases)
+      if (old.pronoun && old.role == Role::kDirect &&
+          (old.word == "it" || old.word == "them" || old.plural)) {
+        phrase.role = Role::kDirect;
+        old = phrase;
+        pronoun = true;
+      }
+    if (pronoun) return end;
+  }
+  if (done >= end || words_[done] != "," || !(definite || named_only || already)) return at;
+  // "the plate and the bowl, bring to the counter"
+  if (NounPhrase place; opens_command(done + 1, end) && definite && done + 2 < end &&
+                        language_.wanted_by_state(words_[done + 1]) == Frame::kNone) {
+    const std::size_t after = reader_.read_place(done + 2, end, place);
+    const Frame frame = language_.verb(words_[done + 1]);
+    if (after != done + 2 && !place.person && !place.pronoun && ends_here(after, end) &&
+        (frame == Frame::kPlace || frame == Frame::kBring || frame == Frame::kTake)) {
+      phrase.role = Role::kDirect;
+      fronted_ = {std::move(phrase)};
+      for (NounPhrase& other : more) {
+        other.role = Role::kDirect;
+        fronted_.push_back(std::move(other));
+      }
+      return command(done + 1, end, Mood::kCommand);
+    }
+  }
+  // a command with "it", or "water in", follows
+  std::size_t next = done + 1;
+  static constexpr std::array kYes = {"yes"sv, "yeah"sv, "yep"sv, "yup"sv, "aye"sv, "okay"sv, "ok"sv};
+  while (language_.hears_people() && next + 2 < end && one_of(words_[next], kYes) && words_[next + 1] == ",")
+    next += 2;  // "the book on the shelf, yes, I need it"
+  // "the plates, they go in the sink"
+  const bool subject_again = language_.hears_people() && next + 1 < end &&
+                             (words_[next] == "it" || words_[next] == "they" || words_[next] == "them") &&
+                             (one_of(words_[next + 1], kDesire) || words_[next + 1] == "all");
+  if (next < end && words_[next] != "wish" && !opens_command(skip_joins(next, end), end) && !named_only &&
+      !subject_again)
+    return at;
+  bool refers = subject_again;
+  for (std::size_t i = next; i < end && words_[i] != ","; ++i)
+    refers = refers || words_[i] == "it" ||
+             ((words_[i] == "all" || words_[i] == "both") &&
+              (i == next || i + 2 >= end || number_word(words_[i + 1]) > 0)) ||
+             words_[i] == "them" || words_[i] == "that" ||
+             ((words_[i] == "in" || words_[i] == "on") && (i + 1 >= end || words_[i + 1] == ","));
+  if (next >= end || !refers) return at;
+  Clause clause;
+  clause.mood = Mood::kStatement;
+  clause.phrases = {std::move(phrase)};
+  clause.phrases.insert(clause.phrases.end(), more.begin(), more.end());
+  add(std::move(clause));
+  return done;
+}
+
+}  // namespace goalnet::inference
