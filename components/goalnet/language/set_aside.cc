@@ -18,6 +18,7 @@ constexpr double kMostRequest = 0.1;         // less likely background surely as
 constexpr double kLeastIdle =
     0.15;  // the same of one that speaks of nothing here and begins as no order does
 constexpr double kLeastBeside = 0.04;     // and begins with "for" or "if you", or is one word
+constexpr std::size_t kMostParts = 16;    // longer messages are not searched: time is bounded
 constexpr std::size_t kMostReadings = 6;  // that are tried
 
 // Words that change what other parts ask for; a part that has one of them is never set aside.
@@ -66,9 +67,10 @@ bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, con
             language_->content(singular(tokens[i])) != symbol::kNone;
   if (names) return false;
   const std::string& verb = tokens[head];
-  const bool plain = !verb.ends_with("ing") && !verb.ends_with("ed") && !verb.ends_with("s");
+  const bool plain =
+      !(verb.size() > 5 && verb.ends_with("ing")) && !verb.ends_with("ed") && !verb.ends_with("s");
   // "iron my shirt": a noun before a determiner is a verb
-  const bool noun = language_->real_word(verb) && !language_->known(verb) && head + 1 < part.end;
+  const bool noun = !language_->may_be_a_slip(verb) && !language_->known(verb) && head + 1 < part.end;
   if (!plain || !(language_->english_verb(verb) || noun) || one_of(verb, kCourtesy) ||
       one_of(verb, kTurnsRequest) || language_->verb(verb) != Frame::kNone ||
       language_->synonym(verb) != verb)
@@ -133,6 +135,7 @@ std::vector<std::string> RobotLanguage::without(const std::vector<std::string>& 
 std::vector<RobotLanguage::WithoutBackground> RobotLanguage::without_background(
     const std::vector<std::string>& tokens) const {
   const std::vector<SentencePart> parts = this->parts(tokens);
+  if (parts.size() > kMostParts) return {};
   std::vector<double> likely(parts.size(), 0);
   std::vector<std::size_t> order;  // of those that may be set aside, the likeliest background first
   bool aside_before = false;
