@@ -31,6 +31,13 @@ class Landmarks {
   bool leads_on(const GroundAction& action) const;
 
  private:
+  // Sets of landmarks are rows of bits.
+  static bool in(const Word* words, std::int32_t i) {
+    return ((words[static_cast<std::size_t>(i) >> 6] >> (static_cast<std::size_t>(i) & 63u)) & 1u) != 0;
+  }
+  static void put(Word* words, std::int32_t i) {
+    words[static_cast<std::size_t>(i) >> 6] |= Word{1} << (static_cast<std::size_t>(i) & 63u);
+  }
   void collect(const Word* initial, Budget& budget);
   void order_by_need(Budget& budget);
   void order_reasonably(const PairReachability& pairs, Budget& budget);

@@ -1,7 +1,8 @@
 #include "components/planner/object_symmetry.h"
 
 #include <algorithm>
-#include <unordered_map>
+
+#include "components/planner/hash_index.h"
 
 namespace goalnet::planner {
 namespace {
@@ -9,7 +10,8 @@ namespace {
 constexpr std::size_t kMostPartners =
     4;  // an object is compared with the last of so many classes that look alike
 constexpr std::int64_t kMostWork = 20'000'000;  // conditions and effects looked at: about 0.1 s
-constexpr int kMostRounds = 3;                  // sorting one class may disturb another
+constexpr std::size_t kMostObjects = 20'000, kMostActions = 200'000;  // more would take long to let go of
+constexpr int kMostRounds = 3;                                        // sorting one class may disturb another
 
 std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   std::uint64_t h = (a ^ (b + 0x9E3779B97F4A7C15ULL + (a << 6) + (a >> 2))) * 0xD6E8FEB86659FD93ULL;
@@ -35,6 +37,7 @@ class Swaps {
       const AtomRef ref = task_.atoms[static_cast<std::int32_t>(atom)];
       for (std::size_t i = 0; i < ref.arguments.size(); ++i) {
         const auto object = static_cast<std::size_t>(ref.arguments[i]);
+        if (object >= kMostObjects) return false;
         if (object >= looks_.size()) grow(object + 1);
         if (atoms_of_[object].empty() || atoms_of_[object].back() != static_cast<std::int32_t>(atom))
           atoms_of_[object].push_back(static_cast<std::int32_t>(atom));
@@ -48,7 +51,11 @@ class Swaps {
     for (std::size_t a = 0; a < task_.actions.size(); ++a) {
       const auto id = static_cast<std::int32_t>(a);
       const GroundAction& action = task_.actions[a];
-      by_content_.emplace(content(action), id);
+      contents_.push_back(content(action));
+      by_content_.find_or_add(
+          contents_.back(), id,
+          [&](std::int32_t other) { return same(other, contents_.back(), parts(action, false)); },
+          [&](std::int32_t other) { return contents_[static_cast<std::size_t>(other)]; });
       const bool more = each_atom(action, [&](std::int32_t atom) {
         for (const ObjectId object : task_.atoms.arguments(atom)) {
           auto& list = actions_of_[static_cast<std::size_t>(object)];
@@ -173,12 +180,15 @@ class Swaps {
     }
     return h;
   }
-  // The same in full: preconditions, -1, then each effect with its conditions.
-  std::vector<std::vector<std::int32_t>> parts(const GroundAction& action, bool of_image) const {
+  // The same in full: the cost, the preconditions, then each effect with its conditions.
+  using Parts = std::vector<std::vector<std::int32_t>>;
+  Parts parts(const GroundAction& action, bool of_image) const {
     const auto name = [&](Literal literal) { return of_image ? image(literal) : literal; };
-    std::vector<std::vector<std::int32_t>> result(1);
-    for (const ConditionId c : task_.preconditions(action)) result[0].push_back(name(c));
-    std::sort(result[0].begin(), result[0].end());
+    Parts result(2);
+    result[0] = {static_cast<std::int32_t>(action.cost >> 31),
+                 static_cast<std::int32_t>(action.cost & 0x7fffffff)};
+    for (const ConditionId c : task_.preconditions(action)) result[1].push_back(name(c));
+    std::sort(result[1].begin(), result[1].end());
     for (const GroundEffect& effect : task_.effects_of(action)) {
       std::vector<std::int32_t> entry;
       for (const ConditionId c : task_.conditions_of(effect)) entry.push_back(name(c));
@@ -186,8 +196,12 @@ class Swaps {
       entry.push_back(name(effect.literal));
       result.push_back(std::move(entry));
     }
-    std::sort(result.begin() + 1, result.end());
+    std::sort(result.begin() + 2, result.end());
     return result;
+  }
+  bool same(std::int32_t other, std::uint64_t hash, const Parts& wanted) const {
+    return contents_[static_cast<std::size_t>(other)] == hash &&
+           parts(task_.actions[static_cast<std::size_t>(other)], false) == wanted;
   }
   bool has_image(const GroundAction& action) {
     bool touched = false;
@@ -196,12 +210,10 @@ class Swaps {
         }))
       return false;
     if (!touched) return true;
-    const auto [begin, end] = by_content_.equal_range(content(action));
+    const std::uint64_t hash = content(action);
     const auto wanted = parts(action, true);
-    return std::any_of(begin, end, [&](const auto& entry) {
-      const GroundAction& other = task_.actions[static_cast<std::size_t>(entry.second)];
-      return other.cost == action.cost && parts(other, false) == wanted;
-    });
+    return by_content_.find(hash, [&](std::int32_t other) { return same(other, hash, wanted); }) !=
+           HashIndex::kNone;
   }
 
   const GroundTask& task_;
@@ -211,7 +223,8 @@ class Swaps {
   std::vector<std::uint64_t> looks_;                              // by object
   std::vector<std::vector<std::int32_t>> atoms_of_, actions_of_;  // by object
   std::vector<std::int32_t> image_;                               // by atom, under the swap at hand
-  std::unordered_multimap<std::uint64_t, std::int32_t> by_content_;
+  Growing<std::uint64_t> contents_;                               // by action
+  HashIndex by_content_;                                          // actions, one for each content
   std::vector<ObjectId> arguments_;
 };
 
@@ -220,7 +233,7 @@ class Swaps {
 void ObjectSymmetry::find(const GroundTask& task, Budget& budget) {
   classes_.clear();
   words_ = std::max<std::size_t>(task.words(), 1);
-  if (!task.junctions.empty() || !task.axioms.empty()) return;
+  if (!task.junctions.empty() || !task.axioms.empty() || task.actions.size() > kMostActions) return;
   Swaps swaps(task, budget);
   if (!swaps.prepare()) return;
   struct Open {  // a class that may still grow
