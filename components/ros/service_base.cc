@@ -16,7 +16,7 @@ constexpr auto kReplyPatience = std::chrono::seconds(10);
 // A client that has just found us takes in nothing until a heartbeat tells it where to begin; meanwhile it
 // keeps ten replies, those to others included. After 100 ms its own was among those that it dropped.
 constexpr auto kHeartbeat = std::chrono::milliseconds(20);
-constexpr auto kAcquaintance = std::chrono::milliseconds(50);  // two heartbeats and some more
+constexpr auto kAcquaintance = std::chrono::milliseconds(100);  // five heartbeats: machines are busy
 constexpr auto kLookAgain = std::chrono::milliseconds(5);
 constexpr auto kTimeoutResolution = std::chrono::milliseconds(20);
 

@@ -102,7 +102,7 @@ class Soak : public testing::Test {
     } else if (of_server != servers) {
       ++tally.server_died;
     } else if (++tally.lost <= 5) {
-      tally.faults += "; " + fault;
+      tally.faults += "; " + fault.substr(0, 200);
     }
   }
 
