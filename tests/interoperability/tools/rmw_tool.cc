@@ -60,7 +60,13 @@ bool is(const char* variable, const char* value) {
   return set != nullptr && std::string(set) == value;
 }
 
-void stay_on_this_host(dds::DomainParticipantQos& qos) {
+// RMW_TOOL_UDP_ONLY=1: without shared memory. What a killed process of Fast DDS 2.9 leaves locked there stops
+// the next one for ever, in the making of its participant (docs/design/020).
+void choose_transports(dds::DomainParticipantQos& qos) {
+  if (is("RMW_TOOL_UDP_ONLY", "1")) {
+    qos.transport().use_builtin_transports = false;
+    qos.transport().user_transports = {std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>()};
+  }
   const bool humble = is("ROS_LOCALHOST_ONLY", "1");
   if (!humble && !is("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")) return;
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
@@ -88,7 +94,7 @@ class Tool {
     qos.user_data().data_vec({user_data, user_data + sizeof user_data});
     qos.wire_protocol().builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     qos.wire_protocol().builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
-    stay_on_this_host(qos);
+    choose_transports(qos);
     participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos);
     publisher_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
     subscriber_ = participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);

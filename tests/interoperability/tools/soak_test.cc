@@ -64,7 +64,7 @@ class Soak : public testing::Test {
   bool chance(int in_a_hundred) { return static_cast<int>(random() % 100) < in_a_hundred; }
   std::unique_ptr<Process> start(std::vector<std::string> words) {
     words[0] = testing_support::program(words[0]);
-    return std::make_unique<Process>(words, std::map<std::string, std::string>{});
+    return std::make_unique<Process>(words, std::map<std::string, std::string>{{"RMW_TOOL_UDP_ONLY", "1"}});
   }
 
   // Kills the server, if there is one, and starts another; returns once that one has answered a call.
@@ -153,7 +153,7 @@ class Soak : public testing::Test {
     std::unique_ptr<Process> now = {};
     int of_server = 0;
     bool killed = false;
-    SteadyClock::time_point kill_at = {};
+    SteadyClock::time_point started = {}, kill_at = {};
   };
 
   void look_after(Tools& tools) {
@@ -161,8 +161,9 @@ class Soak : public testing::Test {
       ++tools.tally.begun;
       tools.now = start(tools.words());
       tools.of_server = servers;
+      tools.started = SteadyClock::now();
       tools.killed = chance(20);
-      tools.kill_at = SteadyClock::now() + std::chrono::milliseconds(random() % 150);
+      tools.kill_at = tools.started + std::chrono::milliseconds(random() % 150);
     } else if (tools.now->ended()) {
       const auto result = tools.now->wait(0ms);
       tools.now.reset();
@@ -174,8 +175,9 @@ class Soak : public testing::Test {
         count(tools.tally, result.exit_code == 0 && tools.good(result.out), tools.of_server,
               std::to_string(result.exit_code) + " " + result.out + result.err);
       }
-    } else if (tools.killed && SteadyClock::now() >= tools.kill_at) {
-      tools.now->signal(SIGKILL);
+    } else if ((tools.killed && SteadyClock::now() >= tools.kill_at) ||
+               SteadyClock::now() > tools.started + 30s) {
+      tools.now->signal(SIGKILL);  // the latter is stuck: counted as lost
     }
   }
 
