@@ -1,6 +1,8 @@
 // Whether a posture of the robot touches anything: furniture, moving parts, objects, itself, what it holds.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,10 +18,15 @@ namespace goalnet::manipulation {
 
 // Parts of the robot by index: links as in Kinematics, then one "attached object" per arm.
 using PartSet = std::vector<int>;
+inline bool contains(const PartSet& set, int part) {
+  return std::find(set.begin(), set.end(), part) != set.end();
+}
 
 // Exceptions from the safety margin: pairs that may come nearer, down to `distance` [m].
 class Tolerances {
  public:
+  static constexpr double kAnyDepth = -std::numeric_limits<double>::infinity();
+
   void allow(int part, int body, double distance);
   void allow_all(const PartSet& parts, int body);  // contact of any depth: the hand and what it grasps
   void allow_self(int part_a, int part_b,
@@ -84,6 +91,9 @@ class CollisionChecker {
   int attachment(std::size_t arm) const { return static_cast<int>(kinematics_.link_count() + arm); }
 
  private:
+  // Distance that two parts of the robot must keep [m]. Links are modelled slightly fat already.
+  static constexpr double kSelfMargin = 0.005;
+
   struct Body {
     std::string name;
     PlacedShape shape;
