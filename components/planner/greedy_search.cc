@@ -4,28 +4,12 @@
 
 namespace goalnet::planner {
 namespace {
-constexpr std::int64_t kBoost = 1000;  // how long preferred actions are favoured after progress
 constexpr std::int64_t kUndone =
     4;  // what a goal reached too early adds to the estimate, in cheapest actions
 }  // namespace
 
-void GreedySearch::push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action) {
-  queue.heap.push({h, serial_++, parent, action});
-}
-
-bool GreedySearch::pop(Entry* entry) {
-  Queue* queue = &all_;
-  if (all_.heap.empty() || (!preferred_.heap.empty() && preferred_.priority < all_.priority))
-    queue = &preferred_;
-  if (queue->heap.empty()) return false;
-  ++queue->priority;
-  *entry = queue->heap.pop();
-  return true;
-}
-
 std::int64_t GreedySearch::bytes() const {
-  return states_.bytes() +
-         static_cast<std::int64_t>(all_.heap.bytes() + preferred_.heap.bytes() + nodes_.bytes());
+  return states_.bytes() + static_cast<std::int64_t>(open_.bytes() + nodes_.bytes());
 }
 
 void GreedySearch::note_goals(const GroundTask& task) {
@@ -89,11 +73,7 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   pruning.restart(states_, words);
   nodes_.clear();
-  for (Queue* queue : {&all_, &preferred_}) {
-    queue->heap.clear();
-    queue->priority = 0;
-  }
-  serial_ = 0;
+  open_.clear();
   next_.resize(words);
   note_goals(task);
   plan_.clear();
@@ -114,12 +94,12 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
       ++statistics.expanded;
       if (h < best_h) {
         best_h = h;
-        preferred_.priority -= kBoost;
+        open_.favour(kPreferred);
       }
-      for (const std::int32_t action : heuristic.applicable()) push(all_, h, id, action);
+      for (const std::int32_t action : heuristic.applicable()) open_.push(kAll, h, id, action);
       for (const std::int32_t action : heuristic.actions()) {
         if (action_applies(task, states_.state(id), task.actions[static_cast<std::size_t>(action)])) {
-          push(preferred_, h, id, action);
+          open_.push(kPreferred, h, id, action);
         }
       }
       if (h >= before) break;
@@ -138,10 +118,10 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
     h += kUndone * cheapest * undone_goals(task, heuristic, state);
     if (h < best_h) {
       best_h = h;
-      preferred_.priority -= kBoost;
+      open_.favour(kPreferred);
     }
-    push(all_, h, id, -1);
-    if (preferred) push(preferred_, h, id, -1);
+    open_.push(kAll, h, id, -1);
+    if (preferred) open_.push(kPreferred, h, id, -1);
     return -1;
   };
   const auto expand = [&](std::int32_t id) {
@@ -186,8 +166,8 @@ GreedySearch::Result GreedySearch::search(const GroundTask& task, RelaxedPlanner
     statistics.evaluated += evaluated;
     return Result::kFound;
   }
-  Entry entry{};
-  while (pop(&entry)) {
+  OpenEntry entry{};
+  while (open_.pop(&entry)) {
     if (budget.poll()) {
       result = Result::kStopped;
       break;

@@ -9,6 +9,7 @@
 
 #include "components/planner/budget.h"
 #include "components/planner/chunks.h"
+#include "components/planner/open_lists.h"
 #include "components/planner/plan.h"
 #include "components/planner/pruning.h"
 #include "components/planner/relaxed_plan.h"
@@ -39,19 +40,8 @@ class GreedySearch {
     std::int64_t g = 0;
     bool opened = false;  // evaluated; states on the way of a lookahead are not
   };
-  struct Entry {          // a successor not yet made
-    std::int64_t h;       // of the parent
-    std::int64_t serial;  // first in, first out
-    std::int32_t parent;
-    std::int32_t action;  // -1: the state `parent` itself is to be expanded (kEager)
-    bool operator<(const Entry& other) const { return h != other.h ? h > other.h : serial > other.serial; }
-  };
-  struct Queue {
-    ChunkedHeap<Entry> heap;
-    std::int64_t priority = 0;
-  };
+  enum List : std::size_t { kAll, kPreferred, kLists };
 
-  bool pop(Entry* entry);
   std::int64_t bytes() const;
   void note_goals(const GroundTask& task);
   // Goals that hold in `state` but that the last relaxed plan would undo: they were reached too early.
@@ -60,12 +50,10 @@ class GreedySearch {
   // state where that ends, or -1.
   std::int32_t look_ahead(const GroundTask& task, const RelaxedPlanner& heuristic, const Pruning& pruning,
                           std::int32_t id, std::int64_t upper_bound, Budget& budget);
-  void push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action);
 
   StateTable states_;
   Chunks<Node> nodes_;
-  Queue all_, preferred_;
-  std::int64_t serial_ = 0;
+  OpenLists<kLists> open_;
   std::vector<Word> next_, key_;
   std::vector<std::int32_t> rest_;
   std::vector<std::uint8_t> is_goal_;  // by literal; 2 while counted

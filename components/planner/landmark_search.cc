@@ -3,29 +3,8 @@
 #include <algorithm>
 
 namespace goalnet::planner {
-namespace {
-constexpr std::int64_t kBoost = 1000;  // how long preferred actions are favoured after progress
-}  // namespace
-
-void LandmarkSearch::push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action) {
-  queue.heap.push({h, serial_++, parent, action});
-}
-
-bool LandmarkSearch::pop(Entry* entry) {
-  Queue* best = nullptr;
-  for (Queue& queue : queues_) {
-    if (!queue.heap.empty() && (best == nullptr || queue.priority < best->priority)) best = &queue;
-  }
-  if (best == nullptr) return false;
-  ++best->priority;
-  *entry = best->heap.pop();
-  return true;
-}
-
 std::int64_t LandmarkSearch::bytes() const {
-  std::size_t entries = 0;
-  for (const Queue& queue : queues_) entries += queue.heap.bytes();
-  return states_.bytes() + static_cast<std::int64_t>(entries + nodes_.bytes() + reached_.bytes());
+  return states_.bytes() + static_cast<std::int64_t>(open_.bytes() + nodes_.bytes() + reached_.bytes());
 }
 
 // Evaluates a state and queues its successors.
@@ -39,19 +18,19 @@ void LandmarkSearch::open(const GroundTask& task, RelaxedPlanner& heuristic, Lan
   const auto progress = [this](std::int64_t h, std::int64_t& best) {
     if (h >= best) return;
     best = h;
-    queues_[kByPlanPreferred].priority -= kBoost;
-    queues_[kByLandmarksPreferred].priority -= kBoost;
+    open_.favour(kByPlanPreferred);
+    open_.favour(kByLandmarksPreferred);
   };
   progress(by_plan, best_by_plan_);
   progress(by_landmarks, best_by_landmarks_);
   for (const std::int32_t action : heuristic.actions()) preferred_[static_cast<std::size_t>(action)] = 1;
   for (const std::int32_t action : heuristic.applicable()) {
-    push(queues_[kByPlan], by_plan, id, action);
-    push(queues_[kByLandmarks], by_landmarks, id, action);
+    open_.push(kByPlan, by_plan, id, action);
+    open_.push(kByLandmarks, by_landmarks, id, action);
     if (preferred_[static_cast<std::size_t>(action)] != 0 ||
         landmarks.leads_on(task.actions[static_cast<std::size_t>(action)])) {
-      push(queues_[kByPlanPreferred], by_plan, id, action);
-      push(queues_[kByLandmarksPreferred], by_landmarks, id, action);
+      open_.push(kByPlanPreferred, by_plan, id, action);
+      open_.push(kByLandmarksPreferred, by_landmarks, id, action);
     }
   }
   for (const std::int32_t action : heuristic.actions()) preferred_[static_cast<std::size_t>(action)] = 0;
@@ -65,16 +44,12 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   pruning.restart(states_, words);
   nodes_.clear();
-  for (Queue& queue : queues_) {
-    queue.heap.clear();
-    queue.priority = 0;
-  }
+  open_.clear();
   landmark_words_ = landmarks.words();
   reached_.restart(landmark_words_);
   next_reached_.assign(landmark_words_, 0);
   next_.resize(words);
   preferred_.assign(task.actions.size(), 0);
-  serial_ = 0;
   best_by_plan_ = best_by_landmarks_ = INT64_MAX;
   plan_.clear();
   const std::int64_t last =
@@ -86,8 +61,8 @@ LandmarkSearch::Result LandmarkSearch::search(const GroundTask& task, RelaxedPla
   reached_.push_back(next_reached_.data());
   open(task, heuristic, landmarks, 0, budget, statistics);
   Result result = Result::kExhausted;
-  Entry entry{};
-  while (pop(&entry)) {
+  OpenEntry entry{};
+  while (open_.pop(&entry)) {
     if (budget.poll()) {
       result = Result::kStopped;
       break;

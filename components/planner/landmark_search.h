@@ -4,7 +4,6 @@
 // landmarks leads on.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "components/planner/chunks.h"
 #include "components/planner/greedy_search.h"
 #include "components/planner/landmarks.h"
+#include "components/planner/open_lists.h"
 #include "components/planner/plan.h"
 #include "components/planner/pruning.h"
 #include "components/planner/relaxed_plan.h"
@@ -36,20 +36,8 @@ class LandmarkSearch {
     std::int32_t parent = -1;
     std::int32_t action = -1;
   };
-  struct Entry {  // a successor not yet made
-    std::int64_t h;
-    std::int64_t serial;  // first in, first out
-    std::int32_t parent, action;
-    bool operator<(const Entry& other) const { return h != other.h ? h > other.h : serial > other.serial; }
-  };
-  struct Queue {
-    ChunkedHeap<Entry> heap;
-    std::int64_t priority = 0;
-  };
-  enum QueueKind : std::size_t { kByPlan, kByPlanPreferred, kByLandmarks, kByLandmarksPreferred, kQueues };
+  enum List : std::size_t { kByPlan, kByPlanPreferred, kByLandmarks, kByLandmarksPreferred, kLists };
 
-  void push(Queue& queue, std::int64_t h, std::int32_t parent, std::int32_t action);
-  bool pop(Entry* entry);
   void open(const GroundTask& task, RelaxedPlanner& heuristic, Landmarks& landmarks, std::int32_t id,
             Budget& budget, Statistics& statistics);
   std::int64_t bytes() const;
@@ -59,8 +47,8 @@ class LandmarkSearch {
   Chunks<Node> nodes_;
   Rows reached_;  // by state: its landmarks
   std::size_t landmark_words_ = 1;
-  std::array<Queue, kQueues> queues_;
-  std::int64_t serial_ = 0, best_by_plan_ = 0, best_by_landmarks_ = 0;
+  OpenLists<kLists> open_;
+  std::int64_t best_by_plan_ = 0, best_by_landmarks_ = 0;
   std::vector<Word> next_, next_reached_, key_;
   std::vector<std::uint8_t> preferred_;  // by action
   std::vector<std::int32_t> plan_;

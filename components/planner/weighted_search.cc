@@ -3,23 +3,8 @@
 #include <algorithm>
 
 namespace goalnet::planner {
-namespace {
-constexpr std::int64_t kBoost = 1000;  // how long preferred actions are favoured after progress
-}  // namespace
-
-bool WeightedSearch::pop(Entry* entry) {
-  Queue* queue = &all_;
-  if (all_.heap.empty() || (!preferred_.heap.empty() && preferred_.priority < all_.priority))
-    queue = &preferred_;
-  if (queue->heap.empty()) return false;
-  ++queue->priority;
-  *entry = queue->heap.pop();
-  return true;
-}
-
 std::int64_t WeightedSearch::bytes() const {
-  return states_.bytes() +
-         static_cast<std::int64_t>(all_.heap.bytes() + preferred_.heap.bytes() + nodes_.bytes());
+  return states_.bytes() + static_cast<std::int64_t>(open_.bytes() + nodes_.bytes());
 }
 
 void WeightedSearch::extract(std::int32_t id) {
@@ -37,13 +22,13 @@ void WeightedSearch::open(const GroundTask& task, RelaxedPlanner& heuristic, std
   ++statistics.expanded;
   if (h < best_h_) {
     best_h_ = h;
-    preferred_.priority -= kBoost;
+    open_.favour(kPreferred);
   }
   const std::int64_t f = nodes_[static_cast<std::size_t>(id)].g + weight * h;
-  for (const std::int32_t action : heuristic.applicable()) all_.heap.push({f, serial_++, id, action});
+  for (const std::int32_t action : heuristic.applicable()) open_.push(kAll, f, id, action);
   for (const std::int32_t action : heuristic.actions()) {
     if (action_applies(task, states_.state(id), task.actions[static_cast<std::size_t>(action)]))
-      preferred_.heap.push({f, serial_++, id, action});
+      open_.push(kPreferred, f, id, action);
   }
 }
 
@@ -54,11 +39,7 @@ WeightedSearch::Result WeightedSearch::search(const GroundTask& task, RelaxedPla
   const std::size_t words = std::max<std::size_t>(task.words(), 1);
   pruning.restart(states_, words);
   nodes_.clear();
-  for (Queue* queue : {&all_, &preferred_}) {
-    queue->heap.clear();
-    queue->priority = 0;
-  }
-  serial_ = 0;
+  open_.clear();
   best_h_ = INT64_MAX;
   next_.resize(words);
   plan_.clear();
@@ -67,8 +48,8 @@ WeightedSearch::Result WeightedSearch::search(const GroundTask& task, RelaxedPla
   nodes_.push_back({});
   open(task, heuristic, 0, weight, budget, statistics);
   Result result = Result::kExhausted;
-  Entry entry{};
-  while (pop(&entry)) {
+  OpenEntry entry{};
+  while (open_.pop(&entry)) {
     if (budget.poll()) {
       result = Result::kStopped;
       break;

@@ -9,6 +9,7 @@
 #include "components/planner/budget.h"
 #include "components/planner/chunks.h"
 #include "components/planner/greedy_search.h"
+#include "components/planner/open_lists.h"
 #include "components/planner/plan.h"
 #include "components/planner/pruning.h"
 #include "components/planner/relaxed_plan.h"
@@ -32,17 +33,8 @@ class WeightedSearch {
     std::int64_t g = 0;
     std::int32_t parent = -1, action = -1;
   };
-  struct Entry {             // a successor not yet made
-    std::int64_t f, serial;  // first in, first out
-    std::int32_t parent, action;
-    bool operator<(const Entry& other) const { return f != other.f ? f > other.f : serial > other.serial; }
-  };
-  struct Queue {
-    ChunkedHeap<Entry> heap;
-    std::int64_t priority = 0;
-  };
+  enum List : std::size_t { kAll, kPreferred, kLists };
 
-  bool pop(Entry* entry);
   void open(const GroundTask& task, RelaxedPlanner& heuristic, std::int32_t id, std::int64_t weight,
             Budget& budget, Statistics& statistics);
   void extract(std::int32_t id);
@@ -50,8 +42,8 @@ class WeightedSearch {
 
   StateTable states_;
   Chunks<Node> nodes_;
-  Queue all_, preferred_;
-  std::int64_t serial_ = 0, best_h_ = 0;
+  OpenLists<kLists> open_;
+  std::int64_t best_h_ = 0;
   std::vector<Word> next_, key_;
   std::vector<std::int32_t> plan_;
 };
