@@ -25,16 +25,18 @@ bool EventLoop::post(std::function<void()> callback) {
 
 bool EventLoop::run_pending() {
   bool ran = false;
-  std::deque<std::function<void()>> batch;
-  {
-    std::lock_guard lock(mutex_);
-    batch.swap(queue_);
-  }
-  for (auto& callback : batch) {
+  std::unique_lock lock(mutex_);
+  // What a callback posts is for the next round: timers come first.
+  for (std::size_t left = queue_.size(); left > 0 && !queue_.empty(); --left) {
+    auto callback = std::move(queue_.front());
+    queue_.pop_front();
+    lock.unlock();
     callback();
-    callback = nullptr;  // what it holds may be large
+    callback = nullptr;  // what it holds may be large, and may post when it ends
     ran = true;
+    lock.lock();
   }
+  lock.unlock();
   return run_due_timers() || ran;
 }
 

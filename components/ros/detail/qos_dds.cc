@@ -60,6 +60,10 @@ dds::DataWriterQos writer_qos(const Qos& qos, const std::string& user_data,
   // A reader that was not ready for the first message asks again at the next heartbeat: not after the default
   // of three seconds. Heartbeats are only sent while something is unacknowledged.
   out.reliable_writer_qos().times.heartbeatPeriod = to_duration(heartbeat);
+  // For so long after a write nobody's wish for a repetition is heard. With Fast DDS's default of none, each
+  // write wakes the event thread, which then waits for the writer's lock; so it is once in this time. Readers
+  // ask for what they miss after heartbeats, and Fast DDS's own wait 5 ms before they do.
+  out.reliable_writer_qos().times.nackSupressionDuration = to_duration(std::chrono::milliseconds(2));
   if (qos.lifespan.count() > 0) out.lifespan().duration = to_duration(qos.lifespan);
   return out;
 }
