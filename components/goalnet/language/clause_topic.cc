@@ -27,7 +27,13 @@ std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
   if (language_.hears_people() && language_.verb(words_[i]) == Frame::kPlace && phrases.size() == 1 &&
       ends_here(i + 1, end))
     return at;  // "the right one sticks"
-  for (std::size_t k = i + 1; k < end && words_[k] != ","; ++k) {
+  // "the water pour into the bowl": a place may follow
+  static constexpr std::array kMovesTo = {"pour"sv, "bring"sv, "put"sv, "move"sv, "carry"sv, "add"sv};
+  std::size_t from = i + 1;
+  if (NounPhrase to; language_.hears_people() && one_of(words_[i], kMovesTo) && phrases.size() == 1)
+    if (const std::size_t done = reader_.read_place(from, end, to); done != from && !to.pronoun && ends_here(done, end))
+      from = done;
+  for (std::size_t k = from; k < end && words_[k] != ","; ++k) {
     NounPhrase more;
     if (reader_.read(k, end, more) != k && !more.person) return at;
     if (!harmless(k) && !one_of(words_[k], kParticles) && !more.person) return at;

@@ -32,6 +32,8 @@ class FrameActions {
   bool names_missing_thing(const std::string& problem) const {
     return !missing_.empty() && problem == missing_;
   }
+  // Whether something was asked for by a number that nothing here has: "channel 9".
+  bool no_such_number() const { return no_such_number_; }
   // Takes note of what a statement or question is about: "it" means that from here on.
   void notice(const Clause& clause);
   // What a forbidden clause would do must not be among the actions; says which is.
@@ -81,6 +83,8 @@ class FrameActions {
   Symbol home_of(Symbol object) const;  // kNone: it has none here
   bool is_home(Symbol object, Symbol place) const;
   static NounPhrase it();
+  NounPhrase unsaid() const;  // "it", or "them" where nothing was spoken of and both hands are full
+  void put_what_is_unsaid(Clause& clause);
   bool lexicon_place(const NounPhrase& phrase);  // names furniture or fixtures, nothing that moves
   std::optional<Problem> put_on_each(const Clause& clause);
   std::optional<Problem> put_content(const Clause& clause, const NounPhrase& thing,
@@ -115,6 +119,8 @@ class FrameActions {
   Problem turn(const Clause& clause, int on);
   Problem turn_on(Symbol device, bool on, int number);
   bool is_on(Symbol device) const;
+  static bool is_switched(Symbol thing);  // the television, the stove or a burner
+  bool only_devices(const Clause& clause) const;
   Problem door(const Clause& clause, bool open);
   Problem open_or_close(Symbol thing, bool open, bool left, bool right);
   Problem television(const Clause& clause);
@@ -131,6 +137,7 @@ class FrameActions {
   Objects taken_;                             // in the hands because somebody wants it there
   Objects mass_;                              // "everything", newest: "it" means all of that
   std::vector<std::pair<int, bool>> judged_;  // conditions by their numbers, and whether they held
+  mutable bool no_such_number_ = false;
   mutable Problem missing_;                   // the last that said so; see names_missing_thing()
   bool at_home_;                              // see FrameReader
   bool closes_tap_;

@@ -58,6 +58,18 @@ std::string FrameActions::turn_on(Symbol device, bool on, int number) {
   return resolver_.name(device) + " has no switch";
 }
 
+// Whether all that the clause is about can be turned on and off.
+bool FrameActions::only_devices(const Clause& clause) const {
+  return std::all_of(clause.phrases.begin(), clause.phrases.end(), [&](const NounPhrase& phrase) {
+    if (phrase.pronoun) return !pronoun(phrase, Sort::kDevice, {}).empty();
+    const auto named = phrase.bare() || phrase.everything ? Objects{} : resolver_.named(phrase);
+    const Objects devices = resolver_.all(Sort::kDevice, now_);
+    return std::any_of(named.begin(), named.end(), [&](Symbol object) {
+      return contains(devices, object) || resolver_.is_of_class(object, "burner");
+    });
+  });
+}
+
 std::string FrameActions::turn(const Clause& clause, int on) {
   const bool up = clause.has_particle("up"), down = clause.has_particle("down");
   const NounPhrase* thing = clause.first(Role::kDirect);
@@ -87,7 +99,11 @@ std::string FrameActions::turn(const Clause& clause, int on) {
       resolver_.options(*thing, Sort::kDevice, now_).empty() &&
       !resolver_.options(*thing, Sort::kMovable, now_).empty())
     return swap(clause);
-  if (on < 0 && (clause.verb == "turn" || clause.verb == "switch" || clause.verb == "power") && !is_knob())
+  // "turn tv", "turn the burner": the other way round than it is; "turn" alone, or something with "around", says
+  // nothing
+  const bool toggles = at_home_ && thing != nullptr && clause.particles.empty() && only_devices(clause);
+  if (on < 0 && (clause.verb == "turn" || clause.verb == "switch" || clause.verb == "power") && !is_knob() &&
+      !toggles)
     return "it is not clear whether to turn that on or off";
   // "run to the fridge", "push the book onto the shelf"
   if (thing == nullptr && clause.frame == Frame::kStart && clause.first(Role::kDestination) != nullptr)

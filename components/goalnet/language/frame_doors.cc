@@ -7,6 +7,10 @@ namespace goalnet::inference {
 
 using namespace symbol;
 
+bool FrameActions::is_switched(Symbol thing) {
+  return thing == kTv_1 || thing == kStove || (thing >= kStoveFire_1 && thing <= kStoveFire_4);
+}
+
 std::string FrameActions::open_or_close(Symbol thing, bool open, bool left, bool right) {
   if (thing == kFridgeLeftDoor || thing == kFridgeLeft) return open_or_close(kFridge, open, true, false);
   if (thing == kFridgeRightDoor || thing == kFridgeRight) return open_or_close(kFridge, open, false, true);
@@ -28,6 +32,8 @@ std::string FrameActions::open_or_close(Symbol thing, bool open, bool left, bool
   if (thing == kBagOfChips_1 && open)
     return now_.is(kBagOfChips_1, kIsOpen) ? Problem{} : act({Verb::kOpen, kBagOfChips_1});
   if (thing == kSinkKnob) return turn_on(kSinkKnob, open, 0);
+  // "close the tv", "open the gas": as people say who translate from their own language
+  if (at_home_ && is_switched(thing)) return turn_on(thing, open, 0);
   return resolver_.name(thing) + " cannot be " + (open ? "opened" : "closed");
 }
 
@@ -41,6 +47,11 @@ std::string FrameActions::door(const Clause& clause, bool open) {
     return thing == kFridge ? now_.is(kFridge, kLeftDoorIsOpen) || now_.is(kFridge, kRightDoorIsOpen)
                             : thing == kMicrowave && now_.is(kMicrowave, kDoorIsOpen);
   };
+  if (at_home_ && clause.phrases.empty() && clause.particles.empty() && !clause.weak && !history_.empty()) {
+    Clause that = clause;  // "go to the fridge and open"
+    that.phrases = {it()};
+    return door(that, open);
+  }
   if (clause.phrases.empty()) return "it is not clear what to " + clause.verb;
   if (!open && (clause.has_particle("off") || clause.has_particle("down")))
     return turn(clause, 0);  // "shut the tv off"

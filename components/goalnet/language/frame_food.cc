@@ -64,6 +64,12 @@ std::string FrameActions::add_to(const Clause& clause) {
     }
     destination = with;
   }
+  if (const NounPhrase* with = clause.first(Role::kWith); at_home_ && whats.empty() && with != nullptr) {
+    Clause onto_it = clause;  // "drizzle with syrup": onto what was spoken of
+    for (NounPhrase& phrase : onto_it.phrases)
+      if (phrase.role == Role::kWith) phrase.role = Role::kDirect;
+    return add_to(onto_it);
+  }
   if (whats.empty()) return "it is not clear what to " + clause.verb;
   Objects targets;
   const auto can_take = [&](Symbol object) {
@@ -112,6 +118,9 @@ std::string FrameActions::add_to(const Clause& clause) {
       } else {
         problem = add_content(what, target, done);
       }
+      if (at_home_ && !done && problem.empty() && !what.pronoun && !what.bare() &&
+          language_.content(what.phrase) != kNone && now_.is(target, language_.content(what.phrase)))
+        continue;  // "add coffee to the mug" that has some
       if (!done && problem.empty()) {
         const auto objects = what.everything ? Objects{} : resolver_.options(what, Sort::kMovable, now_);
         if (objects.empty()) return unknown_thing(what, Sort::kMovable);

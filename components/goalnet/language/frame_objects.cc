@@ -1,5 +1,6 @@
 // Which things and places a clause means, and what "it", "them" and "there" stand for.
 #include <algorithm>
+#include <array>
 
 #include "components/goalnet/language/frame_actions.h"
 #include "components/goalnet/language/symbol_list.h"
@@ -102,8 +103,24 @@ FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role
   return objects;
 }
 
+NounPhrase FrameActions::unsaid() const {
+  NounPhrase what = it();
+  const auto held = std::count_if(now_.facts().begin(), now_.facts().end(), [](SymFact fact) {
+    return relation_of(fact) == Relation::kGrasping;
+  });
+  what.plural = history_.empty() && held > 1;
+  return what;
+}
+
 FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Problem& problem) {
   Objects objects = role_objects(clause, Role::kDirect, sort, problem);
+  // "bring the pot to the sink and fill with water": a cook's notes leave "it" out
+  static constexpr std::array kWithoutIt = {Frame::kFill, Frame::kWash,  Frame::kHeat,
+                                            Frame::kBoil, Frame::kEmpty, Frame::kCool,
+                                            Frame::kPour, Frame::kInsert};
+  if (at_home_ && objects.empty() && problem.empty() && !clause.weak && clause.mood == Mood::kCommand &&
+      std::find(kWithoutIt.begin(), kWithoutIt.end(), clause.frame) != kWithoutIt.end())
+    objects = pronoun(unsaid(), sort, {});
   if (objects.empty() && problem.empty() &&
       (clause.to_person || clause.verb == "bring" || clause.verb == "get" || clause.verb == "fetch") &&
       !history_.empty())  // "take the pillow, give me"

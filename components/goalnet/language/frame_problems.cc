@@ -19,6 +19,20 @@ std::string FrameActions::unknown_thing(const NounPhrase& phrase, Sort sort) con
   if (phrase.unknown) return unknown_name(phrase.word);
   if (phrase.bare()) return "it is not clear what is meant";
   const std::string said = phrase.word.empty() ? phrase.phrase : phrase.word;
+  if (const int number = phrase.number > 0 ? phrase.number : phrase.ordinal; at_home_ && number > 0) {
+    int highest = 0;
+    std::string there_are;
+    for (const Symbol object : resolver_.named(phrase)) {
+      if (number_of(resolver_.name(object)) == 0) continue;
+      highest = std::max(highest, number_of(resolver_.name(object)));
+      there_are += (there_are.empty() ? "" : ", ") + resolver_.name(object);
+    }
+    if (highest > 0 && number > highest) {
+      no_such_number_ = true;
+      return not_here("there is no " + said + " " + std::to_string(number) + " here; there " +
+                      (highest == 1 ? "is only " : "are ") + there_are);
+    }
+  }
   if (!resolver_.named(phrase).empty()) {
     const std::string name = resolver_.name(resolver_.named(phrase).front());
     switch (sort) {

@@ -74,12 +74,15 @@ std::string FrameActions::put(const Clause& said) {
     const auto moved = only.pronoun || only.bare() || only.where != Where::kIn
                            ? Objects{}
                            : resolver_.options(only, Sort::kMovable, now_);
-    if (!moved.empty() && !resolver_.class_of(moved.front())->place && !resolver_.is_vessel(moved.front())) {
+    const bool console = at_home_ && !moved.empty() && resolver_.is_of_class(moved.front(), "xbox");
+    if (!moved.empty() && !console && !resolver_.class_of(moved.front())->place &&
+        !resolver_.is_vessel(moved.front())) {
       only.role = Role::kDirect;
       if (resolver_.is_of_class(moved.front(), "cd")) return insert(clause);
       clause.particles.push_back("in");
     }
   }
+  put_what_is_unsaid(clause);
   const NounPhrase* thing = clause.first(Role::kDirect);
   const NounPhrase* destination = nullptr;
   int places_said = 0;

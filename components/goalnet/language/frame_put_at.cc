@@ -34,6 +34,35 @@ std::optional<std::string> FrameActions::put_on_each(const Clause& clause) {
   return Problem{};
 }
 
+// "take the pot and put on the stove", "drop near tv", "place on shelf with the cd": what is put is what was spoken
+// of, else what is held.
+void FrameActions::put_what_is_unsaid(Clause& clause) {
+  if (!at_home_ || clause.frame != Frame::kPlace || clause.verb == "move" || clause.weak) return;
+  const NounPhrase what = unsaid();
+  const bool known = !pronoun(what, Sort::kMovable, {}).empty();
+  // read as "put on the couch", like "put on the tv"
+  if (clause.phrases.size() <= 2 && clause.has_particle("on") && clause.first(Role::kDirect) != nullptr &&
+      clause.first(Role::kDestination) == nullptr) {
+    NounPhrase& place = clause.phrases.front();
+    const Objects named = place.bare() || place.pronoun || place.everything ? Objects{} : resolver_.named(place);
+    if (place.role != Role::kDirect || named.empty()) return;
+    const bool device = contains(resolver_.all(Sort::kDevice, now_), named.front());
+    const bool cooks = is_switched(named.front()) && named.front() != kTv_1 &&
+                       !pronoun(what, Sort::kVessel, {}).empty();
+    const bool dish = known && resolver_.class_of(named.front())->dish;
+    if ((!lexicon_place(place) && !dish) || (device && !cooks)) return;
+    place.role = Role::kDestination, place.where = Where::kOn;
+    std::erase(clause.particles, "on");
+    // "on the shelf with the cd": where that is
+    if (clause.phrases.size() == 2 && clause.phrases.back().role == Role::kWith) {
+      clause.phrases.erase(clause.phrases.begin());
+      clause.phrases.back().role = Role::kDestination, clause.phrases.back().where = Where::kNear;
+    }
+  }
+  if (known && clause.first(Role::kDirect) == nullptr && clause.first(Role::kDestination) != nullptr)
+    clause.phrases.insert(clause.phrases.begin(), what);
+}
+
 // "put the plate on the table, with the beer beside it"
 std::string FrameActions::put_with(const NounPhrase& with, Symbol object, Where where) {
   const NounPhrase& it = with.at.front();
@@ -109,6 +138,9 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
     Symbol support = resolver_.place_of(beside.front(), now_);
     const bool fixture = beside.front() == kSink || beside.front() == kSinkKnob || beside.front() == kStove ||
                          beside.front() == kMicrowave || beside.front() == kFridge;
+    if (support == kNone && beside.front() == kTv_1)  // it hangs between shelves
+      for (const SeenObject& object : resolver_.objects())
+        if (support == kNone && resolver_.is_of_class(object.symbol, "shelf")) support = object.symbol;
     if (support == kNone && (fixture || now_.has(Relation::kIsGraspable, beside.front())))
       support = surface();
     if (support == kNone)
@@ -148,7 +180,10 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
       if (problem = act({Verb::kSqueeze, object, target}); !problem.empty()) return problem;
       continue;
     }
-    if (problem = keep(object, target, where); !problem.empty()) return problem;
+    // "take the ice cream and put it on top of the coffee"
+    const bool served = at_home_ && object == resolver_.ice_cream() &&
+                        (resolver_.is_vessel(target) || resolver_.class_of(target)->dish);
+    if (problem = served ? scoop_into(target, 1) : keep(object, target, where); !problem.empty()) return problem;
   }
   last_destination_ = {targets.front()};
   resolver_.remember(targets.size() > 1 && !destination.all ? Objects{targets.front()}

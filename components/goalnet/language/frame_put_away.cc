@@ -73,6 +73,16 @@ std::string FrameActions::put_without_place(const Clause& clause) {
              back = clause.has_particle("back") || clause.verb == "return";
   const bool away = clause.has_particle("away") || clause.verb == "store" || clause.verb == "stow";
   if ((clause.frame == Frame::kBring || clause.to_person) && !home && !back && !away) return take(clause);
+  // "take the coffee, put a bit of ice cream and syrup": into that
+  if (at_home_ && !home && !back && !away && thing != nullptr && !thing->pronoun && !thing->bare() &&
+      (thing->some || language_.content(thing->phrase) == kIceCream) && clause.verb != "load" &&
+      !pronoun(it(), Sort::kVessel, {}).empty()) {
+    Clause added = clause;
+    added.frame = Frame::kAdd, added.verb = "add";
+    return add_to(added);
+  }
+  if (!home && !back && !away && thing != nullptr && thing->on_floor)
+    return "nothing is put on the floor here; say which table, shelf or counter";
   Problem problem;
   const auto objects = direct(clause, Sort::kMovable, problem);
   if (!problem.empty()) return problem;

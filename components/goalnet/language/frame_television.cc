@@ -61,7 +61,10 @@ std::string FrameActions::television(const Clause& clause) {
     for (int i = 1; i <= kChannels; ++i)
       if (now_.is(kTv_1, static_cast<Symbol>(kChannel1 + i - 1))) now = i;
     if (now == 0) return "it is not known which channel is on";
-    if (channel > kChannels) return "there are only " + std::to_string(kChannels) + " channels";
+    if (channel > kChannels) {
+      no_such_number_ = true;
+      return "there is no channel " + std::to_string(channel) + "; there are channels 1 to " + std::to_string(kChannels);
+    }
     const int by = (steps % kChannels) * (down ? kChannels - 1 : 1);
     const int target = channel > 0 ? channel : (now - 1 + by) % kChannels + 1;
     const bool up = (target - now + kChannels) % kChannels <= kChannels / 2;

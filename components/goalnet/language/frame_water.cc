@@ -121,6 +121,16 @@ std::string FrameActions::pour(const Clause& clause) {
                     }) == 2 &&
       source_phrase == nullptr && destination->where == Where::kIn) {
     Clause from = clause;
+    // "pour the coffee into the bowl on the counter": the second is where the first is
+    if (NounPhrase& last = from.phrases.back();
+        at_home_ && last.role == Role::kDestination && !last.pronoun && !last.bare() && lexicon_place(last) &&
+        resolver_.named(last).front() != kSink && &last != from.first(Role::kDestination)) {
+      const NounPhrase there = last;
+      from.phrases.pop_back();
+      for (NounPhrase& phrase : from.phrases)
+        if (phrase.role == Role::kDestination) phrase.at.push_back(there);
+      return pour(from);
+    }
     const auto first = std::find_if(from.phrases.begin(), from.phrases.end(), [](const NounPhrase& phrase) {
       return phrase.role == Role::kDestination;
     });

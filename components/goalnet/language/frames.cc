@@ -130,6 +130,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       if (const std::string problem = actions.check_forbidden(clause, start); !problem.empty())
         result.problems.push_back(problem);
   if (!sentence.stray.empty()) result.problems.push_back(language_.unknown_word(sentence.stray.front()));
+  result.no_such_number = actions.no_such_number();
   result.macros = actions.macros();
   result.steps = actions.steps();
   result.doubts = actions.resolver().doubts();

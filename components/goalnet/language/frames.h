@@ -21,6 +21,7 @@ struct Understanding {
   bool only_forbids = false;          // "do not open the fridge"
   bool only_asks = false;             // "I wonder if the fridge is open"
   bool nothing_known = false;         // no verb, or nothing it could be about
+  bool no_such_number = false;        // "channel 9", "shelf 4": read, but there are fewer
 
   // How the reading came about; what the confidence is made of.
   Doubts doubts;

@@ -41,6 +41,7 @@ struct NounPhrase {
   bool joined = false;              // follows "and" after a place: "in the sink and the glass"
   bool filled_with_things = false;  // "a bowl of chips"
   bool negated = false;             // of a place: not there
+  bool on_floor = false;            // "from the floor": on or in nothing
   bool unknown = false;             // `word` names nothing that is known
 
   bool has(std::string_view adjective) const;
@@ -82,6 +83,7 @@ class NounPhraseReader {
   std::size_t after(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t relative(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t of(std::size_t at, std::size_t end, NounPhrase& phrase) const;
+  std::size_t floor(std::size_t at, std::size_t end) const;  // behind "off the floor"; `at` where it is not that
 
   const Words& words_;
   const Language& language_;

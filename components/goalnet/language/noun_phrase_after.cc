@@ -1,5 +1,6 @@
 // What follows the head: "of coffee", "in the sink", "that is on the table", "full of water".
 #include <algorithm>
+#include <array>
 
 #include "components/goalnet/language/noun_phrase.h"
 #include "components/goalnet/language/word_groups.h"
@@ -45,6 +46,17 @@ std::size_t NounPhraseReader::of(std::size_t i, std::size_t end, NounPhrase& phr
   return done;
 }
 
+std::size_t NounPhraseReader::floor(std::size_t at, std::size_t end) const {
+  static constexpr std::array kFrom = {"on"sv, "from"sv, "off"sv, "of"sv, "the"sv};
+  static constexpr std::array kFloor = {"floor"sv, "ground"sv, "carpet"sv, "rug"sv};
+  std::size_t k = at;
+  while (k < end && one_of(words_.text[k], kFrom)) ++k;
+  return k > at && k < end && one_of(words_.text[k], kFloor) && words_.text[at] != "of" &&
+                 words_.text[at] != "the"
+             ? k + 1
+             : at;
+}
+
 std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhrase& phrase) const {
   std::size_t k = i;
   while (k < end && one_of(words_.text[k], kLying)) ++k;
@@ -63,6 +75,10 @@ std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhras
     }
     phrase.adjectives.push_back("held");
     return k;
+  }
+  if (language_.hears_people() && floor(k, end) != k) {  // "lying on the floor"
+    phrase.on_floor = true;
+    return floor(k, end);
   }
   NounPhrase place;
   if (language_.hears_people() && k > i && k < end &&
@@ -98,6 +114,11 @@ std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhras
 std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& phrase) const {
   for (int round = 0; round < 4 && i < end; ++round) {
     const std::string& word = words_.text[i];
+    if (language_.hears_people() && !phrase.bare() && floor(i, end) != i) {
+      phrase.on_floor = true;
+      i = floor(i, end);
+      continue;
+    }
     if (word == "of" && !phrase.phrase.empty()) {
       const std::size_t done = of(i, end, phrase);
       if (done == i) return i;
@@ -169,6 +190,17 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       while (k < end && one_of(words_.text[k], kOwned)) ++k;
       if (k > i + 1 && (word == "we" || words_.text[i + 1] != "have")) {
         i = k;
+        continue;
+      }
+    }
+    // "the burner with the kettle on it"
+    if (NounPhrase on_it; language_.hears_people() && word == "with" && lexicon_.is_place_name(phrase.phrase)) {
+      const std::size_t done = read(i + 1, end, on_it);
+      if (done != i + 1 && done + 1 < end && !on_it.person && !on_it.unknown &&
+          (words_.text[done] == "on" || words_.text[done] == "in") && words_.text[done + 1] == "it") {
+        on_it.where = Where::kUnder;
+        phrase.at.push_back(on_it);
+        i = done + 2;
         continue;
       }
     }

@@ -32,6 +32,12 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     if (after_name < end && names_[after_name] > 0 && language_.content(name(i)) == symbol::kNone) {
       phrase.modifier = name(i), phrase.modifier_plural = words_.plural[after_name - 1];
       i = after_name;
+    } else if (language_.hears_people() && after_name < end && names_[after_name] == 1 &&
+               (words_.text[after_name] == "can" || words_.text[after_name] == "bottle")) {
+      phrase.phrase = phrase.word = name(i);  // "the cola can" is the cola, full or not
+      phrase.plural = words_.plural[after_name];
+      last_thing_ = phrase.phrase;
+      return after(after_name + 1, end, phrase);
     } else if (after_name < end && names_[after_name] > 0 && lexicon_.is_name(name(after_name))) {
       phrase.content = name(i);  // "the coffee mug", "a water glass"
       i = after_name;

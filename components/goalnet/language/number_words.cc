@@ -16,8 +16,8 @@ constexpr int kMostCounted = 20;
 }  // namespace
 
 int number_word(const std::string& word) {
-  static constexpr std::array kWords = {"one"sv, "two"sv,   "three"sv, "four"sv, "five"sv,
-                                        "six"sv, "seven"sv, "eight"sv, "nine"sv, "ten"sv};
+  static constexpr std::array kWords = {"one"sv,   "two"sv,   "three"sv, "four"sv, "five"sv,   "six"sv,
+                                        "seven"sv, "eight"sv, "nine"sv,  "ten"sv,  "eleven"sv, "twelve"sv};
   for (std::size_t i = 0; i < kWords.size(); ++i)
     if (kWords[i] == word) return static_cast<int>(i) + 1;
   if (word == "couple" || word == "both") return 2;

@@ -69,6 +69,10 @@ int Resolver::faults(const NounPhrase& phrase, const SeenObject& seen, const Sym
         lexicon_.names(phrase.modifier, object, seen.class_id) == NameLevel::kNone)
       count += kFault;
   }
+  if (language_.hears_people() && phrase.has("open") && object == kBagOfChips_1 && !now.is(object, kIsOpen))
+    count += kGraveFault;  // "throw away any open food"
+  if (phrase.on_floor && (place_of(object, now) != kNone || now.holds(object)))
+    count += phrase.everything ? kGraveFault : kFault;
   for (const NounPhrase& place : phrase.at)
     if (is_at(object, place, now) == place.negated) count += kFault;
   return count;

@@ -70,11 +70,21 @@ bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, con
   const bool plain =
       !(verb.size() > 5 && verb.ends_with("ing")) && !verb.ends_with("ed") && !verb.ends_with("s");
   // "iron my shirt": a noun before a determiner is a verb
-  const bool noun = !language_->may_be_a_slip(verb) && !language_->known(verb) && head + 1 < part.end;
+  const bool slip = language_->may_be_a_slip(verb) && !language_->corrections(verb).empty();
+  const bool to_somebody = language_->person(tokens[part.end - 1]) || one_of(tokens[part.end - 1], kCourtesy);
+  const bool sound = verb.find_first_of("aeiouy") == std::string::npos;  // "shhh the baby is asleep"
+  const bool noun = !slip && !sound && !to_somebody && !language_->known(verb) && head + 1 < part.end;
   if (!plain || !(language_->english_verb(verb) || noun) || one_of(verb, kCourtesy) ||
-      one_of(verb, kTurnsRequest) || language_->verb(verb) != Frame::kNone ||
-      language_->synonym(verb) != verb)
+      one_of(verb, kTurnsRequest) || language_->verb(verb) != Frame::kNone)
     return false;
+  // "order a pizza" is no way of putting one, "iron my shirt" no way of pressing a button; "share the good news" may
+  // be small talk
+  if (language_->synonym(verb) != verb) {
+    std::size_t last = head + 1;
+    while (last < part.end && (one_of(tokens[last], kSome) || language_->describes(tokens[last]))) ++last;
+    return last > head + 1 && last + 1 == part.end && !language_->known(tokens[last]) &&
+           (language_->real_word(tokens[last]) || !language_->kind_of(tokens[last]).empty());
+  }
   const bool behind = head > part.begin && (tokens[head - 1] == "and" || tokens[head - 1] == "then");
   return head + 1 == part.end ? behind  // "and dance"
                               : one_of(tokens[head + 1], kSome);

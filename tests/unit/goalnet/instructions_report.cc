@@ -1,15 +1,23 @@
 // How a file of instructions fares, sentence by sentence: what was refused and why, what was done instead.
 //   goalnet_instructions_report FILE [--all]
+//   goalnet_instructions_report FOLDER [--all]   recorded demonstrations: which sentences are refused in robot use,
+//                                                each in the world it was said in, and how far what is done
+//                                                instead agrees with what the people did
 //   goalnet_instructions_report FILE --parts     for tools/fit_background: each part of each sentence that
 //   reaches its
 //                                                goal, and whether it does without that part as well
 // FILE: lines of room, sentence, goal (or REFUSE; empty: only tell what is done), changes to the start state;
 // by tabs.
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <map>
 #include <stdexcept>
 
+#include "components/goalnet/demonstration.h"
 #include "components/goalnet/language/robot_language.h"
+#include "components/goalnet/scoring.h"
 #include "components/goalnet/tokenizer.h"
 #include "tests/unit/goalnet/instruction_runner.h"
 
@@ -91,14 +99,84 @@ void print_parts(InstructionRunner& runner, const RobotLanguage& language, std::
   }
 }
 
+// What becomes of one recorded sentence, over all worlds that it was said in.
+struct Recorded {
+  int said = 0, refused = 0;
+  double agreement = 0;          // SJI of what was not refused, summed
+  std::string message, changes;  // of the last refusal; of the last world where it was not refused
+};
+
+// Recorded worlds list only what their facts speak of; a robot's world has all that stands in the room, where it
+// stands.
+WorldState furnished(const InstructionRunner& runner, const WorldState& recorded) {
+  const auto has = [](const WorldState& world, const std::string& object) {
+    return std::find(world.objects.begin(), world.objects.end(), object) != world.objects.end();
+  };
+  WorldState room;
+  std::ptrdiff_t most = 0;
+  for (const char* name : {"kitchen", "living_room"}) {
+    WorldState other = runner.room(name, "");
+    const auto common = std::count_if(other.objects.begin(), other.objects.end(),
+                                      [&](const std::string& object) { return has(recorded, object); });
+    if (common > most) most = common, room = std::move(other);
+  }
+  WorldState world = recorded;
+  for (const Predicate& fact : room.facts)
+    if (!has(recorded, fact.subject)) world.facts.insert(fact);
+  for (const std::string& object : room.objects)
+    if (!has(recorded, object)) world.objects.push_back(object);
+  return world;
+}
+
+void report_recorded(InstructionRunner& runner, const std::string& folder, bool all) {
+  const auto demonstrations = read_demonstrations(folder);
+  if (!demonstrations) throw std::runtime_error(demonstrations.error().message);
+  std::map<std::string, Recorded> sentences;
+  for (const Demonstration& shown : *demonstrations) {
+    if (shown.perturbed) continue;
+    Recorded& sentence = sentences[shown.sentence];
+    const WorldState world = furnished(runner, shown.states.front());
+    const auto run = runner.follow(world, shown.sentence);
+    ++sentence.said;
+    if (run.refused) {
+      ++sentence.refused, sentence.message = run.message;
+      continue;
+    }
+    FactSet end = shown.states.back().facts;  // with what the room was furnished with
+    for (const Predicate& fact : world.facts)
+      if (!shown.states.front().facts.contains(fact)) end.insert(fact);
+    sentence.agreement += score_run(world.facts, end, {}, run.facts, {}).sji;
+    sentence.changes = changes(world.facts, run.facts);
+  }
+  int said = 0, refused = 0, distinct_refused = 0;
+  double agreement = 0;
+  for (const auto& [text, sentence] : sentences) {
+    said += sentence.said, refused += sentence.refused, agreement += sentence.agreement;
+    distinct_refused += sentence.refused > 0;
+    if (sentence.refused > 0)
+      std::printf("REFUSED  %d of %d | %s\n         (%s)\n", sentence.refused, sentence.said, text.c_str(),
+                  sentence.message.c_str());
+    if (all && sentence.refused < sentence.said)
+      std::printf("%.2f     %d of %d | %s\n         did:%s\n",
+                  sentence.agreement / (sentence.said - sentence.refused), sentence.said - sentence.refused,
+                  sentence.said, text.c_str(), sentence.changes.c_str());
+  }
+  std::printf("recorded: %d said, %d refused; %zu distinct sentences, %d refused; SJI of what is done %.3f\n",
+              said, refused, sentences.size(), distinct_refused, agreement / std::max(said - refused, 1));
+}
+
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: goalnet_instructions_report FILE [--all|--parts]\n");
+    std::fprintf(stderr, "usage: goalnet_instructions_report FILE [--all|--parts] | FOLDER [--all]\n");
     return 2;
   }
   try {
     InstructionRunner runner;
     Counts counts;
+    if (std::filesystem::is_directory(argv[1])) {
+      report_recorded(runner, argv[1], argc > 2 && std::strcmp(argv[2], "--all") == 0);
+      return 0;
+    }
     Symbols symbols;
     const auto language = RobotLanguage::load(symbols);
     if (!language) throw std::runtime_error(language.error().message);
