@@ -193,7 +193,8 @@ std::string FrameActions::turn(const Clause& clause, int on) {
           for (const Symbol device : resolver_.chosen(left_out, resolver_.options(left_out, sort, now_)))
             std::erase(devices, device);
     if (devices.empty()) {
-      if (any) continue;
+      const bool no_device = at_home_ && !phrase.pronoun && !phrase.bare() && !resolver_.named(phrase).empty();
+      if (any && !no_device) continue;
       return unknown_thing(phrase, Sort::kDevice);
     }
     for (const Symbol device : devices) {

@@ -54,7 +54,9 @@ void FrameActions::put_what_is_unsaid(Clause& clause) {
     place.role = Role::kDestination, place.where = Where::kOn;
     std::erase(clause.particles, "on");
     // "on the shelf with the cd": where that is
-    if (clause.phrases.size() == 2 && clause.phrases.back().role == Role::kWith) {
+    const bool with = clause.phrases.size() == 2 && clause.phrases.back().role == Role::kWith;
+    const Objects beside = with ? resolver_.options(clause.phrases.back(), Sort::kMovable, now_) : Objects{};
+    if (!beside.empty() && contains(named, resolver_.place_of(beside.front(), now_))) {
       clause.phrases.erase(clause.phrases.begin());
       clause.phrases.back().role = Role::kDestination, clause.phrases.back().where = Where::kNear;
     }

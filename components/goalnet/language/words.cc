@@ -50,6 +50,18 @@ void drop_numbering(std::vector<std::string>& tokens) {
     }
 }
 
+// "cup2", "burner3": the number is a word of its own
+void part_numbers(std::vector<std::string>& tokens, const Language& language) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::size_t digit = tokens[i].find_last_not_of("0123456789") + 1;
+    if (digit == 0 || digit + 1 != tokens[i].size() || !language.names_thing(tokens[i].substr(0, digit)))
+      continue;
+    const std::string number = tokens[i].substr(digit);
+    tokens[i].resize(digit);
+    tokens.insert(tokens.begin() + static_cast<long>(i) + 1, number);
+  }
+}
+
 // "int he sink": the blank slipped by one letter.
 void move_blanks(std::vector<std::string>& tokens, const Language& language, int& corrected) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
@@ -86,6 +98,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     resolve_headings(mended, language);
     resolve_endings(mended, language);
   }
+  if (language.hears_people()) part_numbers(mended, language);
   drop_numbering(mended);
   move_blanks(mended, language, words.corrected);
   join_pieces(mended, language, words.corrected);
