@@ -88,6 +88,13 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     clause.phrases.push_back(there);
     return i + 2;
   }
+  // "and get the controller there as well"
+  if (language_.hears_people() && word == "there" && clause.frame == Frame::kTake && !clause.to_person &&
+      !clause.wish && (clause.verb == "get" || clause.verb == "take") && clause.phrases.size() == 1 &&
+      std::any_of(result_.clauses.begin(), result_.clauses.end(), [](const Clause& before) {
+        return before.first(Role::kDestination) != nullptr && before.mood == Mood::kCommand;
+      }))
+    clause.frame = Frame::kPlace;
   if (word == "there" && (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {
     NounPhrase there;
     there.role = Role::kDestination, there.pronoun = true, there.word = word;

@@ -8,6 +8,26 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
+std::size_t ClauseParser::instead_of(std::size_t at, std::size_t end, Clause& clause) {
+  if (!language_.hears_people() || at + 2 >= end) return at;
+  const bool denied = words_[at] == "not";
+  const bool other = (words_[at] == "rather" && words_[at + 1] == "than") ||
+                     (words_[at] == "instead" && words_[at + 1] == "of");
+  if (!denied && !other) return at;
+  const std::size_t from = at + (denied ? 1 : 2);
+  NounPhrase place, thing;
+  if (const std::size_t done = reader_.read_place(from, end, place); done != from && !place.person)
+    return done;
+  if (denied) return at;
+  const std::size_t done = reader_.read(from, end, thing);
+  if (done == from || thing.person || thing.unknown || clause.phrases.empty()) return at;
+  if (!lexicon_->is_place_name(thing.phrase)) {
+    thing.role = Role::kExcept;
+    clause.phrases.push_back(std::move(thing));
+  }
+  return done;
+}
+
 std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
   Clause clause;
   clause.mood = mood;
@@ -54,6 +74,10 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       i = next;
       continue;
     }
+    if (const std::size_t done = instead_of(i, end, clause); done != i) {
+      i = done;
+      continue;
+    }
     if (word == "not" && i + 1 < end &&
         !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
       NounPhrase phrase;
@@ -67,6 +91,14 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         i = after;
         continue;
       }
+    }
+    // "I want that pillow comes on the couch", "I want the mug to be in the sink"
+    static constexpr std::array kIsToBe = {"come"sv, "comes"sv, "go"sv, "goes"sv, "goe"sv, "be"sv};
+    if (language_.hears_people() && clause.wish && one_of(word, kIsToBe) && i + 1 < end &&
+        place_preposition(words_[i + 1]) && clause.first(Role::kDirect) != nullptr) {
+      clause.frame = Frame::kPlace, clause.verb = "put", clause.wish = false;
+      ++i;
+      continue;
     }
     if (word == "where" &&
         (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {  // "where the mug is"

@@ -106,7 +106,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     place = {};
   }
   // "water in": into what was spoken of
-  if (i < end && (words_[i] == "in" || words_[i] == "into") &&
+  if (i < end &&
+      (words_[i] == "in" || words_[i] == "into" || (words_[i] == "inside" && language_.hears_people())) &&
       (i + 1 >= end || language_.joins(words_[i + 1]))) {
     clause.frame = Frame::kPlace, clause.verb = "put";
     clause.particles = {"in"};
@@ -185,6 +186,15 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   if (language_.tv_word(subject.phrase) && (subject.number > 0 || subject.ordinal > 0)) {
     clause.frame = Frame::kChange, clause.verb = "change";
+    add(std::move(clause));
+    return i;
+  }
+  if (language_.hears_people() && !subject.content.empty() && lexicon_->is_place_name(subject.phrase) &&
+      !language_.holds_things(subject.phrase) && only_harmless_from(i)) {  // "coke fridge"
+    NounPhrase& there = clause.phrases.front();
+    there.modifier = there.content;
+    there.content.clear(), subject.content.clear();
+    clause.frame = Frame::kPlace, clause.verb = "put";
     add(std::move(clause));
     return i;
   }

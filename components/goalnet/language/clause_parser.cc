@@ -174,7 +174,9 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   // "in the sink, put the mug"
   NounPhrase place;
   if (const std::size_t done = reader_.read_place(at, end, place); done != at) {
-    const std::size_t next = skip_joins(done, end);
+    std::size_t next = skip_joins(done, end);
+    if (language_.hears_people() && next < end && words_[next] == "you" && opens_command(next + 1, end))
+      ++next;  // "in the microwave you put the bowl"
     place.role = Role::kDestination;
     if (opens_command(next, end)) {
       fronted_ = {place};

@@ -30,6 +30,9 @@ class ClauseParser {
   std::size_t particle(std::size_t at, std::size_t end, Clause& clause, Role& role);
   std::size_t statement(std::size_t at, std::size_t end);
   std::size_t predicate(std::size_t at, std::size_t end, Clause& clause, bool desired, bool negative);
+  // "(on the table) rather than on the couch", "(the mug) instead of the glass", ", not on the xbox": passed
+  // over, but for what should stay out of it; `at` where it is none.
+  std::size_t instead_of(std::size_t at, std::size_t end, Clause& clause);
   bool again(const Clause& fragment);
   bool says_nothing_here(std::size_t at, std::size_t end) const;
   std::size_t fragment(std::size_t at, std::size_t end);
@@ -37,6 +40,7 @@ class ClauseParser {
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
   std::size_t condition(std::size_t at, std::size_t end);
+  std::size_t done_first(std::size_t at, std::size_t end);
   std::size_t otherwise(std::size_t at, std::size_t end);
   std::size_t forbidden(std::size_t at, std::size_t end);
   std::size_t ensured(std::size_t at, std::size_t end);
@@ -54,6 +58,7 @@ class ClauseParser {
   std::size_t idle(std::size_t at, std::size_t end);
   // "no wait, the fork": mends the command before it.
   std::size_t correction(std::size_t at, std::size_t end);
+  std::size_t other_way(std::size_t at, std::size_t end, Clause& last) const;
   // "the fork, bring it to me": what "it" will mean.
   std::size_t topic(std::size_t at, std::size_t end);
   std::size_t verb_last(std::size_t at, std::size_t end);

@@ -14,12 +14,36 @@ using namespace word_group;
 std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& clause, bool desired,
                                     bool negative) {
   std::size_t i = at;
-  while (i < end && !language_.joins(words_[i]) && words_[i] != "so") {
+  const auto goes_on = [&] {  // "..., except the one on the shelf", "..., not on the couch"
+    return language_.hears_people() && i + 2 < end && words_[i] == "," && clause.mood == Mood::kCommand &&
+           (words_[i + 1] == "except" || words_[i + 1] == "not" ||
+            (words_[i + 1] == "rather" && words_[i + 2] == "than"));
+  };
+  while (i < end && (!language_.joins(words_[i]) || goes_on()) && words_[i] != "so") {
+    if (words_[i] == ",") ++i;
     const std::string& word = words_[i];
     // "should be off when I get back", "should be in the sink if it is dirty"
     static constexpr std::array kHangsOn = {"when"sv, "if"sv, "unless"sv, "as"sv, "because"sv};
     if (language_.hears_people() && i > at && one_of(word, kHangsOn)) return i;
     NounPhrase place;
+    if (clause.mood == Mood::kCommand)
+      if (const std::size_t done = instead_of(i, end, clause); done != i) {
+        i = done;
+        continue;
+      }
+    // "... should be on the table, except the one on the shelf"
+    if (NounPhrase left_out; language_.hears_people() && word == "except" && clause.mood == Mood::kCommand) {
+      const std::size_t from = i + 1 < end && words_[i + 1] == "for" ? i + 2 : i + 1;
+      const std::size_t done = reader_.read(from, end, left_out);
+      if (done != from && !left_out.person && !left_out.unknown) {
+        const std::size_t after = reader_.read_place(done, end, place);
+        if (after != done) left_out.at.push_back(place);
+        left_out.role = Role::kExcept;
+        clause.phrases.push_back(std::move(left_out));
+        i = after;
+        continue;
+      }
+    }
     if (language_.hears_people() && word == "not" &&
         clause.mood == Mood::kCommand) {  // "..., not on the stove"
       const std::size_t done = reader_.read_place(i + 1, end, place);

@@ -54,6 +54,35 @@ std::size_t ClauseParser::narrows(std::size_t at, std::size_t end) {
   return done;
 }
 
+// "one channel down, no, up": the same the other way; `at` where it is not that.
+std::size_t ClauseParser::other_way(std::size_t at, std::size_t end, Clause& last) const {
+  if (!language_.hears_people() || at >= end || !ends_here(at + 1, end)) return at;
+  static constexpr std::array<std::array<std::string_view, 2>, 6> kWays = {{{"up", "next"},
+                                                                            {"down", "previous"},
+                                                                            {"on", "on"},
+                                                                            {"off", "off"},
+                                                                            {"left", "left"},
+                                                                            {"right", "right"}}};
+  const auto way =
+      std::find_if(kWays.begin(), kWays.end(), [&](const auto& w) { return w[0] == words_[at]; });
+  if (way == kWays.end()) return at;
+  const std::size_t index = static_cast<std::size_t>(way - kWays.begin());
+  const auto& opposite = kWays[index % 2 == 0 ? index + 1 : index - 1];
+  bool changed = false;
+  const auto turn = [&](std::vector<std::string>& words) {
+    for (std::string& word : words)
+      for (const std::size_t k : {0u, 1u})
+        if (word == opposite[k]) word = std::string(way->at(k)), changed = true;
+  };
+  turn(last.particles), turn(last.words);
+  for (NounPhrase& phrase : last.phrases) turn(phrase.adjectives);
+  if (last.frame == Frame::kRaise && words_[at] == "down") last.frame = Frame::kLower, changed = true;
+  if (last.frame == Frame::kLower && words_[at] == "up") last.frame = Frame::kRaise, changed = true;
+  if (last.frame == Frame::kStart && words_[at] == "off") last.frame = Frame::kStop, changed = true;
+  if (last.frame == Frame::kStop && words_[at] == "on") last.frame = Frame::kStart, changed = true;
+  return changed ? part_end(at, end) : at;
+}
+
 std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   std::size_t next = at;
   while (next < end && (words_[next] == "correction" || language_.joins(words_[next]) ||
@@ -84,6 +113,7 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
     return std::max(next, at + 1);
   }
   if (alone) return std::max(next, at + 1);
+  if (const std::size_t stop = other_way(next, end, *last); stop != next) return stop;
   NounPhrase phrase;
   std::size_t done = reader_.read_place(next, end, phrase);
   Role role = Role::kDestination;
@@ -102,6 +132,25 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
       place.role = Role::kDestination;
       last->phrases.push_back(std::move(place));
       done = after;
+    }
+  }
+  // "no wait, the mug is enough", "..., the mug will do"
+  static constexpr std::array kWill = {"is"sv, "are"sv, "will"sv, "would"sv, "be"sv};
+  static constexpr std::array kSuffices = {"enough"sv, "fine"sv, "do"sv,    "okay"sv,
+                                           "better"sv, "good"sv, "plenty"sv};
+  if (language_.hears_people() && done != next) {
+    std::size_t k = done;
+    while (k < end && one_of(words_[k], kWill)) ++k;
+    if (k > done && k < end && one_of(words_[k], kSuffices) && ends_here(k + 1, end)) done = k + 1;
+  }
+  // "one book, no, two"
+  if (NounPhrase* named = nullptr;
+      language_.hears_people() && phrase.pronoun && phrase.count > 0 && done != next) {
+    for (NounPhrase& old : last->phrases)
+      if (old.role == Role::kDirect && !old.pronoun && named == nullptr) named = &old;
+    if (named != nullptr) {
+      named->count = phrase.count, named->plural = phrase.count > 1, named->all = false;
+      return part_end(done, end);
     }
   }
   if (done == next || !ends_here(done, end)) return next;

@@ -36,8 +36,8 @@ bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
   if (language_.hears_people() && (words_[at] == "spoon" || words_[at] == "fork") && at + 1 < end &&
       place_preposition(words_[at + 1]))
     return false;  // "fork on plate one, spoon on plate two"
-  if (language_.hears_people() && words_[at] == "heat" && at > 0 && (at + 1 >= end || words_[at + 1] == ",") &&
-      (words_[at - 1] == "and" || words_[at - 1] == "then"))
+  if (language_.hears_people() && words_[at] == "heat" && at > 0 &&
+      (at + 1 >= end || words_[at + 1] == ",") && (words_[at - 1] == "and" || words_[at - 1] == "then"))
     return true;  // "place in the microwave and heat"
   std::size_t next = at + 1;
   while (next < end && (words_[next] == "up" || words_[next] == "out" || words_[next] == "on")) ++next;

@@ -50,6 +50,45 @@ std::size_t ClauseParser::otherwise(std::size_t at, std::size_t end) {
   return skip_joins(at + 1, end);
 }
 
+// "once it has been filled with water, put it on the stove": to be done first, where nobody asked for it
+// before; `at` where it is none.
+std::size_t ClauseParser::done_first(std::size_t at, std::size_t end) {
+  static constexpr std::array kBeen = {"is"sv, "are"sv, "has"sv, "have"sv, "been"sv, "all"sv, "both"sv};
+  if (!language_.hears_people()) return at;
+  NounPhrase thing;
+  const std::size_t named = reader_.read(at + 1, end, thing);
+  std::size_t verb = named;
+  while (verb < end && one_of(words_[verb], kBeen)) ++verb;
+  if (named == at + 1 || verb == named || verb >= end || thing.person || thing.unknown ||
+      !language_.participle(words_[verb]))
+    return at;
+  if ((words_[verb - 1] == "has" || words_[verb - 1] == "have")) return at;  // "once it has boiled"
+  const Frame frame = language_.verb(words_[verb]);
+  if (frame != Frame::kFill && frame != Frame::kWash && frame != Frame::kEmpty && frame != Frame::kHeat &&
+      frame != Frame::kOpen && frame != Frame::kClose)
+    return at;
+  for (const Clause& before : result_.clauses)
+    if (before.mood == Mood::kCommand && before.frame == frame) return at;
+  Clause clause;
+  clause.frame = frame, clause.verb = language_.verb_base(words_[verb]), clause.words = {clause.verb};
+  thing.role = Role::kDirect;
+  clause.phrases = {std::move(thing)};
+  Role role = Role::kDirect;
+  Where where = Where::kTo;
+  std::size_t i = verb + 1;
+  while (i < end && !language_.joins(words_[i]) && !opens_command(i, end)) {
+    clause.words.push_back(words_[i]);
+    const std::size_t next = argument(i, end, clause, role, where);
+    if (next == i) break;
+    i = next;
+  }
+  const bool leading =
+      at == 0 || words_[at - 1] == "." || words_[at - 1] == "," || language_.joins(words_[at - 1]);
+  if (!leading && !result_.clauses.empty()) insert_before_ = result_.clauses.size() - 1;
+  add(std::move(clause));
+  return i;
+}
+
 std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
   const std::string& word = words_[at];
   const std::size_t count = result_.clauses.size();
@@ -104,6 +143,7 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
       return command(verb, end, Mood::kCommand);
     }
     if (word == "before" || word == "after") return verb >= end ? verb : part_end(at, end);
+    if (const std::size_t stop = done_first(at, end); stop != at) return stop;
     if (verb >= end || words_[verb] == ",") return verb;  // "and after that, ..."
     // "once the mug is full, ...", "when it is done": what was asked before is done by then
     return skip_part(at, end);

@@ -21,6 +21,9 @@ std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
     phrases.push_back(place);
     i = done;
   }
+  static constexpr std::array kMay = {"can"sv, "could"sv, "may"sv, "should"sv, "might"sv, "must"sv};
+  if (language_.hears_people() && i + 2 < end && words_[i] == "you" && one_of(words_[i + 1], kMay))
+    i += 2;  // "the other one you can bring over to me"
   if (!opens_command(i, end) || language_.wanted_by_state(words_[i]) != Frame::kNone ||
       language_.participle(words_[i]))
     return at;
@@ -31,11 +34,15 @@ std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
   static constexpr std::array kMovesTo = {"pour"sv, "bring"sv, "put"sv, "move"sv, "carry"sv, "add"sv};
   std::size_t from = i + 1;
   if (NounPhrase to; language_.hears_people() && one_of(words_[i], kMovesTo) && phrases.size() == 1)
-    if (const std::size_t done = reader_.read_place(from, end, to); done != from && !to.pronoun && ends_here(done, end))
+    if (const std::size_t done = reader_.read_place(from, end, to);
+        done != from && !to.pronoun && ends_here(done, end))
       from = done;
   for (std::size_t k = from; k < end && words_[k] != ","; ++k) {
     NounPhrase more;
     if (reader_.read(k, end, more) != k && !more.person) return at;
+    if (NounPhrase to;
+        language_.hears_people() && words_[k] == "to" && reader_.read(k + 1, end, to) != k + 1 && to.person)
+      continue;
     if (!harmless(k) && !one_of(words_[k], kParticles) && !more.person) return at;
   }
   fronted_ = phrases;

@@ -143,6 +143,9 @@ std::size_t ClauseParser::ensured(std::size_t at, std::size_t end) {
 std::size_t ClauseParser::done_that(std::size_t at, std::size_t) {
   if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement)
     result_.clauses.back().asked = true;
+  else if (language_.hears_people() && !result_.clauses.empty() &&
+           result_.clauses.back().mood == Mood::kCommand)
+    return at + 1;  // it is asked for already
   else if (result_.problem.empty() && result_.clauses.empty())
     result_.problem = "it is not clear what should be done";
   return at + 1;

@@ -138,8 +138,8 @@ class FrameActions {
   Objects mass_;                              // "everything", newest: "it" means all of that
   std::vector<std::pair<int, bool>> judged_;  // conditions by their numbers, and whether they held
   mutable bool no_such_number_ = false;
-  mutable Problem missing_;                   // the last that said so; see names_missing_thing()
-  bool at_home_;                              // see FrameReader
+  mutable Problem missing_;  // the last that said so; see names_missing_thing()
+  bool at_home_;             // see FrameReader
   bool closes_tap_;
   bool tap_fills_ = false;  // it was turned on to fill something, and runs still
   bool tap_asked_ = false;  // somebody wants it to run

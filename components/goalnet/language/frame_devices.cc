@@ -83,7 +83,8 @@ std::string FrameActions::turn(const Clause& clause, int on) {
     if (!heated.empty() && heated.front() == kStove) on = 1;  // "crank the stove up"
   }
   // "put the bowl in the microwave and start"
-  if (clause.phrases.empty() && on >= 0 && (clause.frame == Frame::kStart || clause.frame == Frame::kStop)) {
+  if (clause.phrases.empty() && on >= 0 &&
+      (clause.frame == Frame::kStart || clause.frame == Frame::kStop || at_home_)) {
     const Objects device = pronoun(it(), Sort::kDevice, {});
     if (!device.empty()) return turn_on(device.front(), on == 1, 0);
   }
@@ -99,8 +100,8 @@ std::string FrameActions::turn(const Clause& clause, int on) {
       resolver_.options(*thing, Sort::kDevice, now_).empty() &&
       !resolver_.options(*thing, Sort::kMovable, now_).empty())
     return swap(clause);
-  // "turn tv", "turn the burner": the other way round than it is; "turn" alone, or something with "around", says
-  // nothing
+  // "turn tv", "turn the burner": the other way round than it is; "turn" alone, or something with "around",
+  // says nothing
   const bool toggles = at_home_ && thing != nullptr && clause.particles.empty() && only_devices(clause);
   if (on < 0 && (clause.verb == "turn" || clause.verb == "switch" || clause.verb == "power") && !is_knob() &&
       !toggles)
@@ -193,7 +194,8 @@ std::string FrameActions::turn(const Clause& clause, int on) {
           for (const Symbol device : resolver_.chosen(left_out, resolver_.options(left_out, sort, now_)))
             std::erase(devices, device);
     if (devices.empty()) {
-      const bool no_device = at_home_ && !phrase.pronoun && !phrase.bare() && !resolver_.named(phrase).empty();
+      const bool no_device =
+          at_home_ && !phrase.pronoun && !phrase.bare() && !resolver_.named(phrase).empty();
       if (any && !no_device) continue;
       return unknown_thing(phrase, Sort::kDevice);
     }

@@ -41,7 +41,18 @@ std::string FrameActions::add_content(const NounPhrase& what, Symbol target, boo
   return {};
 }
 
-std::string FrameActions::add_to(const Clause& clause) {
+std::string FrameActions::add_to(const Clause& said) {
+  Clause clause = said;
+  // "add water to the bowl, and a pinch of salt as well": what nothing can be added to is added too
+  if (at_home_ && clause.first(Role::kDestination) != nullptr)
+    for (NounPhrase& phrase : clause.phrases) {
+      if (phrase.role != Role::kDestination || !phrase.joined || phrase.pronoun || phrase.bare()) continue;
+      const Objects takes = resolver_.options(phrase, Sort::kPlace, now_);
+      const bool holder = std::any_of(takes.begin(), takes.end(), [&](Symbol object) {
+        return resolver_.is_vessel(object) || resolver_.class_of(object)->dish;
+      });
+      if (!holder || phrase.some) phrase.role = Role::kDirect;
+    }
   const NounPhrase* destination = clause.first(Role::kDestination);
   std::vector<NounPhrase> whats;
   for (const NounPhrase& phrase : clause.phrases)

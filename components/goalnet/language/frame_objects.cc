@@ -105,9 +105,8 @@ FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role
 
 NounPhrase FrameActions::unsaid() const {
   NounPhrase what = it();
-  const auto held = std::count_if(now_.facts().begin(), now_.facts().end(), [](SymFact fact) {
-    return relation_of(fact) == Relation::kGrasping;
-  });
+  const auto held = std::count_if(now_.facts().begin(), now_.facts().end(),
+                                  [](SymFact fact) { return relation_of(fact) == Relation::kGrasping; });
   what.plural = history_.empty() && held > 1;
   return what;
 }
@@ -115,9 +114,8 @@ NounPhrase FrameActions::unsaid() const {
 FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Problem& problem) {
   Objects objects = role_objects(clause, Role::kDirect, sort, problem);
   // "bring the pot to the sink and fill with water": a cook's notes leave "it" out
-  static constexpr std::array kWithoutIt = {Frame::kFill, Frame::kWash,  Frame::kHeat,
-                                            Frame::kBoil, Frame::kEmpty, Frame::kCool,
-                                            Frame::kPour, Frame::kInsert};
+  static constexpr std::array kWithoutIt = {Frame::kFill,  Frame::kWash, Frame::kHeat, Frame::kBoil,
+                                            Frame::kEmpty, Frame::kCool, Frame::kPour, Frame::kInsert};
   if (at_home_ && objects.empty() && problem.empty() && !clause.weak && clause.mood == Mood::kCommand &&
       std::find(kWithoutIt.begin(), kWithoutIt.end(), clause.frame) != kWithoutIt.end())
     objects = pronoun(unsaid(), sort, {});

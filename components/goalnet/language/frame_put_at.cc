@@ -34,21 +34,26 @@ std::optional<std::string> FrameActions::put_on_each(const Clause& clause) {
   return Problem{};
 }
 
-// "take the pot and put on the stove", "drop near tv", "place on shelf with the cd": what is put is what was spoken
-// of, else what is held.
+// "take the pot and put on the stove", "drop near tv", "place on shelf with the cd": what is put is what was
+// spoken of, else what is held.
 void FrameActions::put_what_is_unsaid(Clause& clause) {
-  if (!at_home_ || clause.frame != Frame::kPlace || clause.verb == "move" || clause.weak) return;
+  if (!at_home_ || clause.frame != Frame::kPlace || clause.verb == "move" || clause.verb == "leave" ||
+      clause.verb == "keep" || clause.weak)
+    return;
   const NounPhrase what = unsaid();
   const bool known = !pronoun(what, Sort::kMovable, {}).empty();
   // read as "put on the couch", like "put on the tv"
-  if (clause.phrases.size() <= 2 && clause.has_particle("on") && clause.first(Role::kDirect) != nullptr &&
-      clause.first(Role::kDestination) == nullptr) {
+  // or "put burner 1"
+  const bool bare = known && clause.particles.empty() && clause.phrases.size() == 1;
+  if (clause.phrases.size() <= 2 && (clause.has_particle("on") || bare) &&
+      clause.first(Role::kDirect) != nullptr && clause.first(Role::kDestination) == nullptr) {
     NounPhrase& place = clause.phrases.front();
-    const Objects named = place.bare() || place.pronoun || place.everything ? Objects{} : resolver_.named(place);
+    const Objects named =
+        place.bare() || place.pronoun || place.everything ? Objects{} : resolver_.named(place);
     if (place.role != Role::kDirect || named.empty()) return;
     const bool device = contains(resolver_.all(Sort::kDevice, now_), named.front());
-    const bool cooks = is_switched(named.front()) && named.front() != kTv_1 &&
-                       !pronoun(what, Sort::kVessel, {}).empty();
+    const bool cooks =
+        is_switched(named.front()) && named.front() != kTv_1 && !pronoun(what, Sort::kVessel, {}).empty();
     const bool dish = known && resolver_.class_of(named.front())->dish;
     if ((!lexicon_place(place) && !dish) || (device && !cooks)) return;
     place.role = Role::kDestination, place.where = Where::kOn;
@@ -159,7 +164,8 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
   // Where the place is not said exactly, what is there already may stay.
   Objects all = destination.pronoun ? targets : resolver_.options(destination, Sort::kPlace, now_);
   if (destination.ordinal > 0 || destination.number > 0 || where == Where::kNear ||
-      (at_home_ && (destination.has("other") || destination.has("different"))))
+      (at_home_ && (destination.has("other") || destination.has("different") || destination.has("same") ||
+                    destination.count == 1)))
     all = targets;
   const bool one_each = destination.all && objects.size() <= targets.size();
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -185,7 +191,8 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
     // "take the ice cream and put it on top of the coffee"
     const bool served = at_home_ && object == resolver_.ice_cream() &&
                         (resolver_.is_vessel(target) || resolver_.class_of(target)->dish);
-    if (problem = served ? scoop_into(target, 1) : keep(object, target, where); !problem.empty()) return problem;
+    if (problem = served ? scoop_into(target, 1) : keep(object, target, where); !problem.empty())
+      return problem;
   }
   last_destination_ = {targets.front()};
   resolver_.remember(targets.size() > 1 && !destination.all ? Objects{targets.front()}

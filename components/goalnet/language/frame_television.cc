@@ -63,7 +63,8 @@ std::string FrameActions::television(const Clause& clause) {
     if (now == 0) return "it is not known which channel is on";
     if (channel > kChannels) {
       no_such_number_ = true;
-      return "there is no channel " + std::to_string(channel) + "; there are channels 1 to " + std::to_string(kChannels);
+      return "there is no channel " + std::to_string(channel) + "; there are channels 1 to " +
+             std::to_string(kChannels);
     }
     const int by = (steps % kChannels) * (down ? kChannels - 1 : 1);
     const int target = channel > 0 ? channel : (now - 1 + by) % kChannels + 1;

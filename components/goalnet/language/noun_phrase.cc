@@ -61,7 +61,8 @@ bool NounPhraseReader::starts(std::size_t at, std::size_t end) const {
       one_of(word, kAll) || one_of(word, kThings) || word == "both" || word == "some" ||
       one_of(word, kPersons))
     return true;
-  if (language_.hears_people() && word == "any" && modifier_ahead(at + 1, end)) return true;  // "on any burner"
+  if (language_.hears_people() && word == "any" && modifier_ahead(at + 1, end))
+    return true;  // "on any burner"
   if (ordinal_word(word) > 0 && at + 2 < end && words_.text[at + 1] == "and" &&
       ordinal_word(words_.text[at + 2]) > 0)
     return modifier_ahead(at + 2, end);  // "first and third burner"

@@ -83,7 +83,8 @@ class NounPhraseReader {
   std::size_t after(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t relative(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t of(std::size_t at, std::size_t end, NounPhrase& phrase) const;
-  std::size_t floor(std::size_t at, std::size_t end) const;  // behind "off the floor"; `at` where it is not that
+  std::size_t floor(std::size_t at,
+                    std::size_t end) const;  // behind "off the floor"; `at` where it is not that
 
   const Words& words_;
   const Language& language_;

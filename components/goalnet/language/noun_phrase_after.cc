@@ -194,7 +194,8 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       }
     }
     // "the burner with the kettle on it"
-    if (NounPhrase on_it; language_.hears_people() && word == "with" && lexicon_.is_place_name(phrase.phrase)) {
+    if (NounPhrase on_it;
+        language_.hears_people() && word == "with" && lexicon_.is_place_name(phrase.phrase)) {
       const std::size_t done = read(i + 1, end, on_it);
       if (done != i + 1 && done + 1 < end && !on_it.person && !on_it.unknown &&
           (words_.text[done] == "on" || words_.text[done] == "in") && words_.text[done + 1] == "it") {
@@ -214,7 +215,10 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
                          (words_.text[done] == "in" || words_.text[done] == "inside") &&
                          (done + 1 == end || words_.text[done + 1] == "it" ||
                           words_.text[done + 1] == "them" || words_.text[done] == "inside");
-      if (done != from && language_.content(inner.phrase) != symbol::kNone && (filled || in_it)) {
+      const bool carrier = language_.hears_people() && word == "with" && inner.bare() == false &&
+                           !inner.definite &&
+                           (phrase.phrase == "bottle" || phrase.phrase == "can" || phrase.word == "one");
+      if (done != from && language_.content(inner.phrase) != symbol::kNone && (filled || in_it || carrier)) {
         phrase.content = inner.phrase;
         i = in_it ? std::min(done + (words_.text[done] == "inside" &&
                                              !(done + 1 < end && words_.text[done + 1] == "it")

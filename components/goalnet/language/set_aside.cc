@@ -77,8 +77,8 @@ bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, con
   if (!plain || !(language_->english_verb(verb) || noun) || one_of(verb, kCourtesy) ||
       one_of(verb, kTurnsRequest) || language_->verb(verb) != Frame::kNone)
     return false;
-  // "order a pizza" is no way of putting one, "iron my shirt" no way of pressing a button; "share the good news" may
-  // be small talk
+  // "order a pizza" is no way of putting one, "iron my shirt" no way of pressing a button; "share the good
+  // news" may be small talk
   if (language_->synonym(verb) != verb) {
     std::size_t last = head + 1;
     while (last < part.end && (one_of(tokens[last], kSome) || language_->describes(tokens[last]))) ++last;

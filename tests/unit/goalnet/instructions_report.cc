@@ -1,6 +1,7 @@
 // How a file of instructions fares, sentence by sentence: what was refused and why, what was done instead.
 //   goalnet_instructions_report FILE [--all]
-//   goalnet_instructions_report FOLDER [--all]   recorded demonstrations: which sentences are refused in robot use,
+//   goalnet_instructions_report FOLDER [--all]   recorded demonstrations: which sentences are refused in
+//   robot use,
 //                                                each in the world it was said in, and how far what is done
 //                                                instead agrees with what the people did
 //   goalnet_instructions_report FILE --parts     for tools/fit_background: each part of each sentence that
@@ -106,8 +107,8 @@ struct Recorded {
   std::string message, changes;  // of the last refusal; of the last world where it was not refused
 };
 
-// Recorded worlds list only what their facts speak of; a robot's world has all that stands in the room, where it
-// stands.
+// Recorded worlds list only what their facts speak of; a robot's world has all that stands in the room, where
+// it stands.
 WorldState furnished(const InstructionRunner& runner, const WorldState& recorded) {
   const auto has = [](const WorldState& world, const std::string& object) {
     return std::find(world.objects.begin(), world.objects.end(), object) != world.objects.end();
