@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <tuple>
 #include <vector>
@@ -145,6 +147,32 @@ TEST_F(Hosts, StaticPeersAreFoundWithoutMulticast) {
     EXPECT_TRUE(finds(right, "left")) << range;
     processes.clear();
   }
+}
+
+// Fast DDS's file of profiles, as users of rmw_fastrtps write it; under the name of either distribution.
+TEST_F(Hosts, ProfilesOfFastDdsAreObeyed) {
+  connect_through_router();
+  ASSERT_FALSE(HasFatalFailure());
+  const std::string file = testing::TempDir() + id + "_profiles.xml";
+  std::ofstream(file) << R"(<?xml version="1.0" encoding="UTF-8"?>
+<profiles xmlns="http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles">
+  <transport_descriptors><transport_descriptor>
+    <transport_id>udp</transport_id><type>UDPv4</type><maxInitialPeersRange>8</maxInitialPeersRange>
+  </transport_descriptor></transport_descriptors>
+  <participant profile_name="user" is_default_profile="true"><rtps>
+    <builtin><initialPeersList><locator><udpv4><address>10.77.2.1</address></udpv4></locator></initialPeersList></builtin>
+    <userTransports><transport_id>udp</transport_id></userTransports>
+    <useBuiltinTransports>false</useBuiltinTransports>
+  </rtps></participant>
+</profiles>)";
+  for (const char* variable : {"FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"}) {
+    auto& left = node(a, "left", {{variable, file}});
+    auto& right = node(b, "right");
+    EXPECT_TRUE(finds(left, "right")) << variable << left.err();
+    EXPECT_TRUE(finds(right, "left")) << variable;
+    processes.clear();
+  }
+  std::filesystem::remove(file);
 }
 
 TEST_F(Hosts, DiscoveryServerIntroducesItsClients) {

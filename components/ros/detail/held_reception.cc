@@ -3,6 +3,7 @@
 #include <fastdds/rtps/network/SenderResource.h>
 #include <fastdds/rtps/transport/ChainingTransport.h>
 #include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+#include <fastdds/rtps/transport/TCPTransportDescriptor.h>
 
 #include <algorithm>
 #include <atomic>
@@ -119,8 +120,11 @@ void ReceptionGate::pass() {
 std::shared_ptr<ReceptionGate> hold_reception(eprosima::fastdds::dds::DomainParticipantQos& qos) {
   auto gate = std::make_shared<ReceptionGate>();
   auto introduction = std::make_shared<Introduction>();
-  for (auto& transport : qos.transport().user_transports)
+  for (auto& transport : qos.transport().user_transports) {
+    // A user's XML may name TCP, which has connections and cannot be chained.
+    if (std::dynamic_pointer_cast<rtps::TCPTransportDescriptor>(transport)) continue;
     transport = std::make_shared<HeldDescriptor>(transport, gate, introduction);
+  }
   return gate;
 }
 

@@ -29,7 +29,7 @@ class ReceptionGate {
   bool open_ = false;
 };
 
-// Puts the gate before all transports of `qos`, and lets an Introduction hear what goes through them. Open it
+// Puts the gate before all transports of `qos` but TCP, and lets an Introduction hear what goes through them. Open it
 // as soon as the participant is made.
 std::shared_ptr<ReceptionGate> hold_reception(eprosima::fastdds::dds::DomainParticipantQos& qos);
 

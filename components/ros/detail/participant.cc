@@ -7,6 +7,7 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "components/ros/detail/held_reception.h"
 #include "components/ros/detail/message_type.h"
@@ -31,7 +32,15 @@ rtps::Locator_t udp_locator(const std::string& host, std::uint32_t port) {
   return locator;
 }
 
-// Host names are looked up; what cannot be found is left out, as rmw does.
+// Where everybody of a domain listens. With port 0 Fast DDS 2.9 would try the ports of single participants
+// there.
+rtps::Locator_t multicast_locator(int domain_id) {
+  return udp_locator("239.255.0.1",
+                     rtps::PortParameters().getMulticastPort(static_cast<std::uint32_t>(domain_id)));
+}
+
+// Host names are looked up; one that cannot be found is left out, so that a robot starts while a laptop is
+// away.
 void add_static_peers(const std::string& peers, rtps::LocatorList_t& list) {
   std::size_t at = 0;
   while (at < peers.size()) {
@@ -61,8 +70,14 @@ void set_discovery(const ParticipantSettings& settings, dds::DomainParticipantQo
     builtin.metatrafficUnicastLocatorList.push_back(rtps::Locator_t());
   }
   if (settings.range == Range::kLocalhost) builtin.initialPeersList.push_back(udp_locator("127.0.0.1", 0));
+  if (settings.range == Range::kLoopback) {
+    // Participants on Fast DDS hear the multicast address; those on Cyclone DDS use none on the loopback
+    // interface, and would find us when they announce themselves again, up to half a minute later.
+    builtin.initialPeersList.push_back(multicast_locator(settings.domain_id));
+    builtin.initialPeersList.push_back(udp_locator("127.0.0.1", 0));
+  }
   if (settings.range == Range::kSubnet && !settings.static_peers.empty()) {
-    builtin.initialPeersList.push_back(udp_locator("239.255.0.1", 0));
+    builtin.initialPeersList.push_back(multicast_locator(settings.domain_id));
   }
   if (settings.range != Range::kSystemDefault)
     add_static_peers(settings.static_peers, builtin.initialPeersList);
@@ -71,13 +86,16 @@ void set_discovery(const ParticipantSettings& settings, dds::DomainParticipantQo
 // Peers without a port are tried on the ports of this many participants per host.
 constexpr std::uint32_t kPeersPerHost = 32;
 
-// UDP only, unless shared memory is asked for: a peer that is killed leaves its shared-memory port behind,
-// and a new one on that port is not heard for seconds, sometimes never (docs/design/020-udp-only.md).
+// What the user's XML names; else UDP only, unless shared memory is asked for: a peer that is killed leaves
+// its shared-memory port behind, and a new one on that port is not heard for seconds, sometimes never
+// (docs/design/020-udp-only.md).
 void set_transports(const ParticipantSettings& settings, dds::DomainParticipantQos& qos) {
+  if (!qos.transport().user_transports.empty()) return;
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   if (settings.range == Range::kLoopback) udp->interfaceWhiteList.emplace_back("127.0.0.1");
   auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
-  if (settings.range == Range::kLocalhost || !settings.static_peers.empty()) {
+  if (settings.range == Range::kLocalhost || settings.range == Range::kLoopback ||
+      !settings.static_peers.empty()) {
     udp->maxInitialPeersRange = kPeersPerHost;
     shared_memory->maxInitialPeersRange = kPeersPerHost;
   }
@@ -86,10 +104,21 @@ void set_transports(const ParticipantSettings& settings, dds::DomainParticipantQ
   if (settings.shared_memory) qos.transport().user_transports.push_back(shared_memory);
 }
 
+// The default participant of the XML file of profiles that the environment names, as for every node on
+// rmw_fastrtps; Fast DDS's defaults where there is none.
+dds::DomainParticipantQos profile_of_user() {
+  // Fast DDS 2.12 has renamed the variable. Both are read once in a process.
+  if (const char* file = std::getenv("FASTDDS_DEFAULT_PROFILES_FILE"))
+    setenv("FASTRTPS_DEFAULT_PROFILES_FILE", file, 0);
+  auto* factory = dds::DomainParticipantFactory::get_instance();
+  factory->load_profiles();
+  return factory->get_default_participant_qos();
+}
+
 }  // namespace
 
 dds::DomainParticipantQos participant_qos(const ParticipantSettings& settings) {
-  dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
+  dds::DomainParticipantQos qos = profile_of_user();
   qos.name(settings.enclave);
   std::string user_data = "enclave=" + settings.enclave + ";";
   user_data.push_back('\0');

@@ -45,7 +45,7 @@ struct ParticipantSettings {
 // Options completed from the environment. kInvalidRequest names the variable that makes no sense.
 Expected<ParticipantSettings> read_settings(const ContextOptions& options);
 
-// How such a participant is set up in Fast DDS.
+// How such a participant is set up in Fast DDS, on top of the user's XML profile.
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantSettings& settings);
 
 // Thread-safe.

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <thread>
+
 #include "components/ros/service.h"
 #include "example_interfaces/srv/AddTwoInts_service.h"
 #include "tests/support/process.h"
@@ -101,6 +104,48 @@ TEST_F(CycloneService, ServersOfRmwCycloneddsAnswerUs) {
     const auto response = client.call_and_run(sum_of(i, 5), 2s);
     ASSERT_TRUE(response) << i << ": " << response.error().message;
     ASSERT_EQ(response->sum(), i + 5);
+  }
+}
+
+// What rmw_cyclonedds adds to Cyclone's configuration where everybody is to stay on this host, in Humble and
+// in Jazzy. Either way it uses no multicast.
+struct OneHost {
+  const char *variable, *value, *configuration;
+  Distro distro;
+};
+const OneHost kOneHost[] = {
+    {"ROS_LOCALHOST_ONLY", "1",
+     "<CycloneDDS><Domain><General><NetworkInterfaceAddress>127.0.0.1</NetworkInterfaceAddress></General>"
+     "</Domain></CycloneDDS>",
+     Distro::kHumble},
+    {"ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST",
+     "<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast></General><Discovery>"
+     "<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+     "<Peers><Peer address=\"localhost\"/></Peers></Discovery></Domain></CycloneDDS>",
+     Distro::kJazzy}};
+
+// A daemon that was there first (it announces itself again after seconds only), and tools that come later.
+TEST(CycloneOnOneHost, FindsUsAtOnce) {
+  for (const OneHost& kind : kOneHost) {
+    const std::string domain = std::to_string(kDomain);
+    const std::map<std::string, std::string> environment = {{"CYCLONEDDS_URI", kind.configuration}};
+    Process daemon(
+        {testing_support::program("cyclone_graph"), domain, "20", std::string(to_string(kind.distro))},
+        environment);
+    ASSERT_TRUE(daemon.wait_for_text("ready", 5s)) << daemon.err();
+    std::this_thread::sleep_for(2s);
+    ASSERT_EQ(daemon.out().find("\nnode "), std::string::npos) << "somebody else is on this domain";
+    setenv(kind.variable, kind.value, 1);
+    auto context = make_context(kDomain, kind.distro);
+    unsetenv(kind.variable);
+    EventLoop loop;
+    Node node(*context, loop, plain("robot"));
+    Server<AddTwoInts> server(
+        node, "/add", [](const auto& request, auto& response) { response.sum(request.a() + request.b()); });
+    EXPECT_TRUE(daemon.wait_for_text(" / robot ", 1500ms)) << kind.variable;
+    Process tool({testing_support::program("cyclone_services"), "call", domain, "2"}, environment);
+    loop.run_for(10s, [&] { return tool.out().size() >= sums(2).size(); });
+    EXPECT_EQ(tool.out(), sums(2)) << kind.variable << tool.err();
   }
 }
 

@@ -1,4 +1,5 @@
 // What other participants see of us: nodes, endpoints, type hashes, names that come and go; the environment.
+#include <fastrtps/utils/IPLocator.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -272,6 +273,27 @@ struct Environment {
   ~Environment() { unsetenv(name_); }
   const char* name_;
 };
+
+// Where the first announcements go: everybody's port of the multicast address, and the peers' own ports.
+TEST(Settings, FirstAnnouncements) {
+  using Range = detail::ParticipantSettings::Range;
+  const auto peers = [](Range range, const std::string& static_peers) {
+    detail::ParticipantSettings settings;
+    settings.domain_id = 7;
+    settings.range = range;
+    settings.static_peers = static_peers;
+    std::vector<std::string> found;
+    const auto qos = detail::participant_qos(settings);
+    for (const auto& locator : qos.wire_protocol().builtin.initialPeersList)
+      found.push_back(rtps::IPLocator::toIPv4string(locator) + ":" + std::to_string(locator.port));
+    return found;
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(peers(Range::kSubnet, ""), testing::IsEmpty()) << "Fast DDS's default";
+  EXPECT_THAT(peers(Range::kSubnet, "10.0.0.1"), ElementsAre("239.255.0.1:9150", "10.0.0.1:0"));
+  EXPECT_THAT(peers(Range::kLocalhost, "10.0.0.1"), ElementsAre("127.0.0.1:0", "10.0.0.1:0"));
+  EXPECT_THAT(peers(Range::kLoopback, ""), ElementsAre("239.255.0.1:9150", "127.0.0.1:0"));
+}
 
 TEST(Settings, FromTheEnvironment) {
   using Range = detail::ParticipantSettings::Range;
