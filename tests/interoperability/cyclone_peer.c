@@ -1,6 +1,7 @@
 /* A peer that shares no code with goalnet but the interface definitions: Cyclone DDS, with types made by idlc.
  *   cyclone_peer read DOMAIN SECONDS      prints what it receives on /world_state, /joint_states and /rosout
  *   cyclone_peer write DOMAIN SECONDS     publishes std_msgs/String on /instruction, ten times a second
+ *   cyclone_peer latch DOMAIN SECONDS     publishes one std_msgs/String of 300,000 characters, latched, on /robot_description
  *   cyclone_peer churn DOMAIN SECONDS     readers and writers on our topics, silent, then a clean exit
  */
 #define _GNU_SOURCE
@@ -32,8 +33,12 @@ static dds_entity_t reader(dds_entity_t participant, dds_entity_t on, int reliab
   return made;
 }
 
-static dds_entity_t writer(dds_entity_t participant, dds_entity_t on) {
-  dds_qos_t* q = qos(1, 0, 10);
+static dds_entity_t writer(dds_entity_t participant, dds_entity_t on, int transient_local, int depth) {
+  dds_qos_t* q = qos(1, transient_local, depth);
+  if (transient_local) { /* as rmw_cyclonedds does: this bounds what latecomers get */
+    const int32_t any = DDS_LENGTH_UNLIMITED;
+    dds_qset_durability_service(q, 0, DDS_HISTORY_KEEP_LAST, depth, any, any, any);
+  }
   const dds_entity_t made = dds_create_writer(participant, on, q, NULL);
   check(made, "writer");
   dds_delete_qos(q);
@@ -94,7 +99,7 @@ static void read_all(dds_entity_t p, dds_time_t end) {
 
 static void write_all(dds_entity_t p, dds_time_t end) {
   const dds_entity_t out =
-      writer(p, topic(p, &std_msgs_msg_String_desc, "std_msgs::msg::dds_::String_", "rt/instruction"));
+      writer(p, topic(p, &std_msgs_msg_String_desc, "std_msgs::msg::dds_::String_", "rt/instruction"), 0, 10);
   for (int i = 0; dds_time() < end; ++i) {
     char text[64];
     snprintf(text, sizeof text, "fill mug %d with water", i);
@@ -104,6 +109,18 @@ static void write_all(dds_entity_t p, dds_time_t end) {
   }
 }
 
+static void latch(dds_entity_t p, dds_time_t end) {
+  const dds_entity_t out =
+      writer(p, topic(p, &std_msgs_msg_String_desc, "std_msgs::msg::dds_::String_", "rt/robot_description"), 1, 1);
+  static char text[300001];
+  for (int i = 0; i < 300000; ++i) text[i] = (char)('a' + i % 26);
+  const std_msgs_msg_String message = {.data = text};
+  check(dds_write(out, &message), "write");
+  printf("ready\n");
+  fflush(stdout);
+  while (dds_time() < end) dds_sleepfor(DDS_MSECS(20));
+}
+
 static void churn(dds_entity_t p, dds_time_t end) {
   const dds_time_t start = dds_time();
   static const char* const kTopics[] = {"rt/instruction", "rt/instruction_status_text", "rt/executor_command"};
@@ -111,7 +128,7 @@ static void churn(dds_entity_t p, dds_time_t end) {
   for (int i = 0; i < 3; ++i) {
     const dds_entity_t on = topic(p, &std_msgs_msg_String_desc, "std_msgs::msg::dds_::String_", kTopics[i]);
     reader(p, on, 1, 0, 10);
-    out[i] = writer(p, on);
+    out[i] = writer(p, on, 0, 10);
   }
   reader(p, topic(p, &goalnet_msgs_msg_WorldState_desc, "goalnet_msgs::msg::dds_::WorldState_", "rt/world_state"), 1, 1, 1);
   reader(p, topic(p, &rcl_interfaces_msg_Log_desc, "rcl_interfaces::msg::dds_::Log_", "rt/rosout"), 1, 1, 100);
@@ -128,7 +145,7 @@ static void churn(dds_entity_t p, dds_time_t end) {
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    fprintf(stderr, "usage: cyclone_peer read|write|churn DOMAIN SECONDS\n");
+    fprintf(stderr, "usage: cyclone_peer read|write|latch|churn DOMAIN SECONDS\n");
     return 2;
   }
   const dds_entity_t participant = dds_create_participant((dds_domainid_t)atoi(argv[2]), NULL, NULL);
@@ -136,6 +153,7 @@ int main(int argc, char** argv) {
   const dds_time_t end = dds_time() + (dds_time_t)(atof(argv[3]) * 1e9);
   if (strcmp(argv[1], "read") == 0) read_all(participant, end);
   if (strcmp(argv[1], "write") == 0) write_all(participant, end);
+  if (strcmp(argv[1], "latch") == 0) latch(participant, end);
   if (strcmp(argv[1], "churn") == 0) churn(participant, end);
   dds_delete(participant);
   return 0;

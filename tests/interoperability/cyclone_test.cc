@@ -1,4 +1,5 @@
-// goalnet and Cyclone DDS on one network: topics both ways, and many peers that come and go at once, also such as make Fast DDS 2.9 abort in its default configuration (abort_test.cc).
+// goalnet and Cyclone DDS on one network: topics both ways, and many peers that come and go at once, also
+// such as make Fast DDS 2.9 abort in its default configuration (abort_test.cc).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -100,6 +101,21 @@ TEST(Cyclone, WritesToOurTopics) {
   auto writer = peer("write", "5");
   EXPECT_TRUE(loop.run_for(5s, [&] { return !seen.empty(); }));
   EXPECT_THAT(seen, testing::StartsWith("fill mug "));
+}
+
+// In fragments of Cyclone's own size, to one who comes after it was published.
+TEST(Cyclone, LatchesLargeMessagesForUs) {
+  auto writer = peer("latch", "10");
+  ASSERT_TRUE(writer->wait_for_text("ready", 5s)) << writer->err();
+  auto context = make_context(kDomain);
+  EventLoop loop;
+  Node node(*context, loop, plain("robot"));
+  std::string seen;
+  auto in = node.subscribe<std_msgs::msg::String>("/robot_description", Qos::latched(),
+                                                  [&](const std_msgs::msg::String& m) { seen = m.data(); });
+  EXPECT_TRUE(loop.run_for(5s, [&] { return !seen.empty(); }));
+  ASSERT_EQ(seen.size(), 300'000u);
+  for (std::size_t i = 0; i < seen.size(); ++i) ASSERT_EQ(seen[i], static_cast<char>('a' + i % 26)) << i;
 }
 
 TEST(Cyclone, FiftyRoundsOfPeersComingAndGoing) {
