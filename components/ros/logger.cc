@@ -7,27 +7,38 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <cstdlib>
 #include <mutex>
+
+#include "components/ros/console_format.h"
 
 namespace goalnet::ros {
 namespace {
 
 constexpr std::size_t kLongestText = 4096;  // [bytes]
 
-const char* label(LogLevel level) {
-  switch (level) {
-    case LogLevel::kDebug:
-      return "DEBUG";
-    case LogLevel::kInfo:
-      return "INFO";
-    case LogLevel::kWarn:
-      return "WARN";
-    case LogLevel::kError:
-      return "ERROR";
-    case LogLevel::kFatal:
-      return "FATAL";
-  }
-  return "INFO";
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+// rcutils's variables, read once: where lines go, whether in colour, and in which form.
+spdlog::sink_ptr make_console() {
+  const std::string colour = environment("RCUTILS_COLORIZED_OUTPUT");
+  const auto mode = colour == "1"   ? spdlog::color_mode::always
+                    : colour == "0" ? spdlog::color_mode::never
+                                    : spdlog::color_mode::automatic;
+  if (environment("RCUTILS_LOGGING_USE_STDOUT") == "1")
+    return std::make_shared<spdlog::sinks::stdout_color_sink_mt>(mode);
+  return std::make_shared<spdlog::sinks::stderr_color_sink_mt>(mode);
+}
+
+const ConsoleFormat& console_format() {
+  static const ConsoleFormat format = [] {
+    const std::string wanted = environment("RCUTILS_CONSOLE_OUTPUT_FORMAT");
+    return wanted.empty() ? ConsoleFormat() : ConsoleFormat(wanted);
+  }();
+  return format;
 }
 
 spdlog::level::level_enum to_spdlog(LogLevel level) {
@@ -61,7 +72,7 @@ Expected<LogLevel> parse_log_level(std::string_view name) {
 }
 
 struct Logger::Impl {
-  spdlog::logger console{"goalnet", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
+  spdlog::logger console{"goalnet", make_console()};
   std::mutex mutex;
   Sink sink;
 };
@@ -92,8 +103,7 @@ void Logger::write(LogLevel level, const SourceLocation& where, fmt::string_view
     const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
                         std::chrono::system_clock::now().time_since_epoch())
                         .count();
-    impl_->console.log(to_spdlog(level), "[{}] [{}.{:09}] [{}]: {}", label(level), ns / 1'000'000'000,
-                       ns % 1'000'000'000, name_, record.text);
+    impl_->console.log(to_spdlog(level), "{}", console_format().line(record, ns));
   }
   std::lock_guard lock(impl_->mutex);
   if (impl_->sink) impl_->sink(record);

@@ -1,4 +1,5 @@
-// Logs to standard error and, through ROS 2, to /rosout.
+// Logs to standard error (in the form that rcutils's environment variables ask for) and, through ROS 2, to
+// /rosout.
 #pragma once
 
 #include <fmt/core.h>
