@@ -92,6 +92,20 @@ TEST_F(Tools, LatchedMessagesReachALateEcho) {
   }
 }
 
+// More than a datagram, and more than a socket keeps: fragments are lost and asked for again.
+TEST_F(Tools, LargeLatchedMessagesReachALateEcho) {
+  auto out = node.advertise<String>("/robot_description", Qos::latched());
+  String message;
+  for (int i = 0; i < 300'000; ++i) message.data().push_back(static_cast<char>('a' + i % 26));
+  out->publish(message);
+  for (int i = 0; i < kRuns; ++i) {
+    const auto result = run({"echo", "/robot_description"});
+    ASSERT_EQ(result.exit_code, 0) << "run " << i;
+    EXPECT_NE(result.out.find("\n" + message.data() + "\n"), std::string::npos);
+    times.push_back(milliseconds(result));
+  }
+}
+
 TEST_F(Tools, NodeListFindsUs) {
   for (int i = 0; i < kRuns; ++i) {
     const auto result = run({"nodes", "5", "/robot"});
