@@ -112,6 +112,11 @@ class Coordinator {
     std::uint32_t max_steps = 0;
   };
 
+  struct Failure {
+    std::uint32_t times = 0;
+    std::string last;  // why
+  };
+
   struct Task {
     Request request;
     std::uint64_t id = 0;
@@ -132,7 +137,7 @@ class Coordinator {
     bool order_heard = false;
     Expectation expectation;
     std::uint32_t replans = 0;
-    std::map<Action, std::uint32_t> failures;                      // in this step
+    std::map<Action, Failure> failures;                            // in this step
     std::vector<std::pair<FactSet, std::vector<Predicate>>> seen;  // (world, goal) at the start of each step
     Outcome stop_outcome = Outcome::kDone;
     std::string stop_message;
@@ -156,6 +161,7 @@ class Coordinator {
   void check_goal(TimeNs now);
   void action_failed(const Action& action, Outcome outcome, const std::string& why, TimeNs now);
   void replan(const std::string& why, TimeNs now);
+  std::string what_failed(const Action* but) const;
   void stop(Outcome outcome, const std::string& message, TimeNs now);
   void finish(Outcome outcome, const std::string& message, TimeNs now);
   void check_timeouts(TimeNs now);

@@ -190,7 +190,8 @@ void Coordinator::check_goal(TimeNs now) {
   Task& task = *task_;
   const Shortfall lacking = goal_shortfall(report_.goal, world_.facts, task.visited);
   if (lacking.empty()) {
-    if (!task.request.goal.empty()) return finish(Outcome::kDone, "the goal holds", now);
+    if (!task.request.goal.empty())
+      return finish(Outcome::kDone, "the goal holds" + what_failed(nullptr), now);
     ++report_.step;
     return begin_step(now);
   }
@@ -200,11 +201,32 @@ void Coordinator::check_goal(TimeNs now) {
 
 void Coordinator::action_failed(const Action& action, Outcome outcome, const std::string& why, TimeNs now) {
   const std::string message = quoted(action) + " failed: " + why;
-  const std::uint32_t times = ++task_->failures[action];
-  if (times >= params_.max_action_failures) {
-    return stop(outcome, message + " (" + std::to_string(times) + " times)", now);
+  Failure& failure = task_->failures[action];
+  failure.last = why;
+  if (++failure.times >= params_.max_action_failures) {
+    return stop(outcome, message + " (" + std::to_string(failure.times) + " times)" + what_failed(&action),
+                now);
   }
   replan(message, now);
+}
+
+// For the outcome: the actions of this step that failed, all but one that the message names already.
+std::string Coordinator::what_failed(const Action* but) const {
+  constexpr std::size_t kShown = 3, kLongest = 200;
+  std::string text;
+  std::size_t shown = 0, others = 0;
+  for (const auto& [action, failure] : task_->failures) {
+    if (but != nullptr && action == *but) continue;
+    if (++shown > kShown) {
+      ++others;
+      continue;
+    }
+    text += "; before that " + quoted(action) + " failed" +
+            (failure.times > 1 ? " " + std::to_string(failure.times) + " times: " : ": ") +
+            (failure.last.size() > kLongest ? failure.last.substr(0, kLongest) + "..." : failure.last);
+  }
+  if (others > 0) text += "; and " + std::to_string(others) + " other actions";
+  return text;
 }
 
 void Coordinator::replan(const std::string& why, TimeNs now) {
@@ -212,9 +234,10 @@ void Coordinator::replan(const std::string& why, TimeNs now) {
   last_difference_ = why;
   report_.message = why;  // until a new plan is there, for people who watch
   if (++task.replans > params_.max_replans) {
-    return stop(
-        Outcome::kMotionFailed,
-        "gave up after " + std::to_string(params_.max_replans) + " new plans; the last because " + why, now);
+    return stop(Outcome::kMotionFailed,
+                "gave up after " + std::to_string(params_.max_replans) + " new plans; the last because " +
+                    why + what_failed(nullptr),
+                now);
   }
   task.act = Act::kReplan;
   report_.current_action = Action{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace goalnet::manipulation {
 namespace {
@@ -13,6 +14,20 @@ constexpr std::int64_t kExecutorSlack = 8'000 * kMillisecond;
 // A motion that the executor has not said a word about after this time is sent again: an executor that was
 // just started may not have been found yet. It takes one of the same stamp only once.
 constexpr std::int64_t kSendAgain = 500 * kMillisecond;
+constexpr std::size_t kMostRemembered = 32;  // actions, and dead ends of each
+
+// Whether nothing has moved but for the trembling of measurements.
+bool alike(const WorldView& a, const WorldView& b) {
+  constexpr double kStill = 0.002;  // [m, rad]
+  const auto near = [](double x, double y) { return std::abs(x - y) < kStill; };
+  return a.facts == b.facts && std::ranges::equal(a.robot, b.robot, near) &&
+         std::ranges::equal(
+             a.joints, b.joints,
+             [&](const auto& x, const auto& y) { return x.first == y.first && near(x.second, y.second); }) &&
+         std::ranges::equal(a.objects, b.objects, [](const auto& x, const auto& y) {
+           return x.first == y.first && x.second.matrix().isApprox(y.second.matrix(), 0.1 * kStill);
+         });
+}
 
 // Adds the wall time of a scope to a counter, for reports.
 class Stopwatch {
@@ -35,8 +50,11 @@ Expected<void> ActionRunner::start(const Action& action) {
   auto skill = make_skill(bench_, action);
   if (!skill) return tl::unexpected<Error>(skill.error());
   skill_ = std::move(*skill);
-  bench_.forget_dead_ends();
+  const auto known = dead_ends_.find(action);
+  bench_.set_dead_ends(known == dead_ends_.end() ? std::vector<DeadEnd>() : known->second);
   action_ = action;
+  bench_.tried().begin_action(to_string(action));
+  moved_ = false;
   attempt_ = 0;
   planning_time_ = 0;
   cancelled_ = false;
@@ -47,6 +65,12 @@ Expected<void> ActionRunner::start(const Action& action) {
   stage_ = "planning";
   state_ = State::kPlanning;
   return {};
+}
+
+void ActionRunner::begin_instruction() {
+  bench_.tried().begin_instruction();
+  dead_ends_.clear();
+  vain_.reset();
 }
 
 void ActionRunner::cancel() {
@@ -100,6 +124,7 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
       return orders;
     }
     bench_.observe(world);
+    if (state_ == State::kPlanning && attempt_ == 0 && !moved_ && fails_again()) return orders;
     if (state_ == State::kPlanning) {
       plan_attempt();
     } else {
@@ -107,6 +132,13 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
     }
   }
   return orders;
+}
+
+// The same was tried in the same world, in vain, and before anything moved.
+bool ActionRunner::fails_again() {
+  if (!vain_ || vain_->action != action_ || !alike(vain_->world, bench_.world())) return false;
+  finish(vain_->error.outcome, vain_->error.message);
+  return true;
 }
 
 // The executor comes to rest after something that no motion of ours waited for: somebody pushed the standing
@@ -126,6 +158,16 @@ void ActionRunner::plan_attempt() {
   const Stopwatch watch(planning_time_);
   stage_ = "planning";
   auto phases = skill_->attempt(bench_, attempt_);
+  const auto in_vain = [&] {
+    return !phases && phases.error().outcome == Outcome::kMotionFailed && attempt_ == 0 && !moved_;
+  };
+  if (in_vain() && !bench_.dead_ends().empty()) {
+    // What led nowhere when it was tried before may lead somewhere now.
+    bench_.set_dead_ends({});
+    skill_ = std::move(*make_skill(bench_, action_));
+    phases = skill_->attempt(bench_, attempt_);
+  }
+  if (in_vain()) vain_ = Vain{action_, bench_.world(), phases.error()};
   if (!phases) {
     const auto& error = phases.error();
     return finish(error.outcome,
@@ -168,6 +210,7 @@ void ActionRunner::next_phase(Orders& orders) {
   last_stamp_ = std::max(last_stamp_ + 1, now_ns_);
   sent_.stamp_ns = last_stamp_;
   sent_at_ns_ = sent_again_at_ns_ = now_ns_;
+  moved_ = true;
   orders.send = sent_;
   state_ = State::kMoving;
 }
@@ -238,6 +281,14 @@ void ActionRunner::attempt_failed(const Error& why) {
 
 void ActionRunner::finish(Outcome outcome, const std::string& message) {
   result_ = Error{outcome, message};
+  bench_.tried().end_action(outcome == Outcome::kDone);
+  if (outcome == Outcome::kMotionFailed && !bench_.dead_ends().empty()) {
+    if (dead_ends_.size() >= kMostRemembered) dead_ends_.clear();
+    auto& ends = dead_ends_[action_];
+    ends = bench_.dead_ends();
+    if (ends.size() > kMostRemembered)
+      ends.erase(ends.begin(), ends.end() - static_cast<std::ptrdiff_t>(kMostRemembered));
+  }
   stage_ = "finished";
   state_ = State::kFinished;
   skill_.reset();

@@ -3,9 +3,11 @@
 // it calls update() with every new perception and every new word from the executor.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "components/core/predicate.h"
 #include "components/manipulation/skill.h"
@@ -24,6 +26,10 @@ class ActionRunner {
   Expected<void> start(const Action& action);
   // Ends the action as kCancelled once the robot stands. Harmless when nothing runs.
   void cancel();
+
+  // What failed since then is remembered, so that actions that are asked for again are tried in other ways.
+  void begin_instruction();
+  void begin_step() { bench_.tried().begin_step(); }
 
   struct Orders {
     std::optional<JointTrajectory> send;  // to the executor; stamp_ns is set and unique
@@ -44,6 +50,7 @@ class ActionRunner {
 
  private:
   enum class State { kIdle, kPlanning, kNextPhase, kMoving, kSettling, kStopping, kFinished };
+  bool fails_again();
   bool waits_for_standstill(const executor::ExecutorStatus& status);
   void plan_attempt();
   void next_phase(Orders& orders);
@@ -72,6 +79,15 @@ class ActionRunner {
   double planning_time_ = 0;
   Error result_;
   std::string first_failure_;
+  bool moved_ = false;  // a motion was sent since the action began
+  // An action that failed before anything moved, and the world it did so in: it would do so again.
+  struct Vain {
+    Action action;
+    WorldView world;
+    Error error;
+  };
+  std::optional<Vain> vain_;
+  std::map<Action, std::vector<DeadEnd>> dead_ends_;  // of actions that failed
 };
 
 }  // namespace goalnet::manipulation

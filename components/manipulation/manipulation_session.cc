@@ -160,7 +160,11 @@ void ManipulationSession::send_stop() {
 void ManipulationSession::start_waiting() {
   if (!waiting_ || current_ || !perception_.complete()) return;
   current_ = std::exchange(waiting_, {});
-  if (instruction_ != current_->instruction_id()) bench_.forget_hindrances();
+  if (instruction_ != current_->instruction_id()) {
+    bench_.forget_hindrances();
+    runner_.begin_instruction();
+  }
+  if (std::exchange(step_, current_->step()) != current_->step()) runner_.begin_step();
   instruction_ = current_->instruction_id();
   interrupted_ = false;
   abandoned_ = false;

@@ -63,6 +63,7 @@ class ManipulationSession {
   Error fault_;             // why the executor is in its state FAULT
   std::atomic<bool> interrupted_{false};
   std::atomic<std::uint64_t> instruction_{0};  // that current_ belongs to
+  std::uint32_t step_ = 0;                     // of it
 
   std::optional<goalnet_msgs::msg::ActionRequest> current_;  // runs
   std::optional<goalnet_msgs::msg::ActionRequest> waiting_;  // for the world, or for the end of current_

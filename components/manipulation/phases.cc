@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "components/manipulation/in_the_way.h"
+#include "components/manipulation/retreat.h"
 
 namespace goalnet::manipulation {
 
@@ -107,59 +107,6 @@ void add_back_off(Phases& phases, const Workbench& bench) {
   }
 }
 
-namespace {
-
-constexpr int kShortWay = 200;  // iterations for a step back
-
-// Away from what the robot stands before, arms as they are: rather straight back, else aside, else a turn.
-Expected<JointTrajectory> step_back(Workbench& bench) {
-  const Stand here = bench.stand_of(bench.now());
-  std::vector<Stand> stands;
-  for (const double direction : {0.0, 0.5, -0.5, 1.0, -1.0, 1.57, -1.57}) {
-    for (const double distance : {0.40, 0.25}) {
-      Stand back = here;
-      back.x -= distance * std::cos(here.yaw + direction);
-      back.y -= distance * std::sin(here.yaw + direction);
-      stands.push_back(back);
-    }
-  }
-  for (const double turn : {0.8, -0.8, 1.6, -1.6}) {
-    stands.push_back(here);
-    stands.back().yaw += turn;
-  }
-  for (const Stand& stand : stands) {
-    auto motion = bench.drive(stand, kShortWay);
-    if (motion || motion.error().outcome == Outcome::kCancelled) return motion;
-  }
-  return fail(Outcome::kMotionFailed,
-              "the arm finds no way into the posture for driving, nor is there room to step back");
-}
-
-// The arms into the posture in which the base drives. Where one finds no way into it, between boards or under
-// a door, the robot steps back first.
-void add_tuck(Phases& phases, const Workbench& bench) {
-  for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
-    const auto has_failed = std::make_shared<bool>(false);
-    Phase tuck;
-    tuck.stage = "tuck";
-    tuck.plan = [arm, has_failed](Workbench& b) -> Expected<JointTrajectory> {
-      if (b.is_tucked(arm)) return JointTrajectory{};
-      auto motion = b.tuck(arm);
-      *has_failed = !motion && motion.error().outcome == Outcome::kMotionFailed;
-      return *has_failed ? step_back(b) : motion;
-    };
-    tuck.optional = bench.hindered(arm);
-    phases.push_back(tuck);
-    Phase again = tuck;
-    again.plan = [arm, has_failed](Workbench& b) -> Expected<JointTrajectory> {
-      return *has_failed ? b.tuck(arm) : JointTrajectory{};
-    };
-    phases.push_back(again);
-  }
-}
-
-}  // namespace
-
 void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solution) {
   if (!solution.drives) return;
   add_tuck(phases, bench);
@@ -193,14 +140,45 @@ void add_way(Phases& phases, const Workbench& bench, const ReachSolution& soluti
   add_approach(phases, solution, reach);
 }
 
+namespace {
+
+Try as_try(const Workbench& bench, const Reach& reach, const std::string& what, const std::string& about) {
+  const Pose* thing = about.empty() ? nullptr : bench.world().object(about);
+  const Pose& tool = reach.tool[std::min<std::size_t>(1, reach.tool.size() - 1)];
+  return {what, reach.arm, thing != nullptr ? thing->inverse() * tool : tool};
+}
+
+// Among the ways that were not tried before; if none of those will do, among all.
+Expected<ReachSolution> find_new_way(Workbench& bench, const std::vector<Reach>& reaches,
+                                     const StandSearchOptions& options, const std::string& what,
+                                     const std::string& about) {
+  std::vector<Reach> untried;
+  std::vector<std::size_t> index;
+  for (std::size_t i = 0; i < reaches.size() && bench.tried().size() > 0; ++i) {
+    if (bench.tried().contains(as_try(bench, reaches[i], what, about))) continue;
+    untried.push_back(reaches[i]);
+    index.push_back(i);
+  }
+  if (!untried.empty() && untried.size() < reaches.size()) {
+    auto solution = find_stand(bench, untried, options);
+    if (solution) solution->reach = index[solution->reach];
+    if (solution || solution.error().outcome == Outcome::kCancelled) return solution;
+  }
+  return find_stand(bench, reaches, options);
+}
+
+}  // namespace
+
 Expected<Reach> add_way_there(Phases& phases, Workbench& bench, const std::vector<Reach>& reaches,
-                              const StandSearchOptions& options, const std::string& what) {
-  const auto solution = find_stand(bench, reaches, options);
+                              const StandSearchOptions& options, const std::string& what,
+                              const std::string& about) {
+  const auto solution = find_new_way(bench, reaches, options, what, about);
   if (!solution && solution.error().outcome == Outcome::kMotionFailed && options.looks_for_obstacles) {
     if (auto things = find_in_the_way(bench, reaches, options)) bench.note_in_the_way(std::move(things));
   }
   if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
   const Reach& reach = reaches[solution->reach];
+  if (!bench.supposes()) bench.tried().add(as_try(bench, reach, what, about));
   add_way(phases, bench, *solution, reach);
   return reach;
 }

@@ -20,10 +20,12 @@ void add_approach(Phases& phases, const ReachSolution& solution, const Reach& re
 // All of that: back off, go to where the solution stands, approach.
 void add_way(Phases& phases, const Workbench& bench, const ReachSolution& solution, const Reach& reach);
 
-// Finds where to stand and which of `reaches` to take, adds the way there, and returns the one taken. Errors
-// are find_stand's, introduced by `what`.
+// Finds where to stand and which of `reaches` to take, rather one that was not tried in vain before, adds the
+// way there, and returns the one taken. Errors are find_stand's, introduced by `what`. `about`: the movable
+// thing that the ways belong to and move with; empty: the room.
 Expected<Reach> add_way_there(Phases& phases, Workbench& bench, const std::vector<Reach>& reaches,
-                              const StandSearchOptions& options, const std::string& what);
+                              const StandSearchOptions& options, const std::string& what,
+                              const std::string& about = "");
 
 // Straight lines through poses in the map frame.
 Phase straight(std::string stage, std::size_t arm, std::vector<Pose> poses, Tolerances tolerances,

@@ -192,7 +192,7 @@ Expected<Phases> GestureSkill::use(Workbench& bench, std::size_t arm) {
       const auto reaches = ways(bench, arm, mouth, beside, reserve);
       options.most_reaches = reaches.size();
       if (reserve) options.most_tries = 1'500;
-      found = add_way_there(phases, bench, reaches, options, what_);
+      found = add_way_there(phases, bench, reaches, options, what_, receiver_);
       if (found || found.error().outcome == Outcome::kCancelled || beside == 0) break;
     }
   }

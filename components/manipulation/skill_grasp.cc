@@ -1,6 +1,7 @@
 // grasp, and the way there.
 #include <cmath>
 
+#include "components/manipulation/retreat.h"
 #include "components/manipulation/skills.h"
 
 namespace goalnet::manipulation {
@@ -16,6 +17,46 @@ struct GraspState {
 
 }  // namespace
 
+// Rather a way from which the hand gets out again with the thing; rather one that the scene lists than one by
+// its shape (it lies on its side, say).
+Expected<Reach> GraspSkill::find_way(Phases& phases, Workbench& bench) const {
+  const std::string what = "grasp " + object_;
+  StandSearchOptions options;
+  // From the tray: driving would take the object along, and the hand points back.
+  options.backwards = bench.checker().rides(object_);
+  options.may_drive = !options.backwards;
+  Expected<Reach> found = fail(Outcome::kMotionFailed, "");
+  bool refused[2] = {false, false};  // ways that can be reached were, because the hand does not get out
+  for (const bool anyhow : {false, true}) {
+    for (const bool by_shape : {false, true}) {
+      if ((by_shape && !only_.empty()) || (anyhow && !refused[by_shape])) continue;
+      auto reaches = grasp_reaches(bench, object_, by_shape);
+      if (reaches.empty() && !by_shape)
+        return fail(Outcome::kMotionFailed,
+                    "no empty hand for " + object_ + ", or it cannot be seen; put something down first");
+      std::erase_if(reaches, [&](const Reach& r) {
+        return failed_.contains(r.tag) || (!only_.empty() && !only_.contains(r.tag));
+      });
+      if (reaches.empty() && by_shape) continue;
+      options.most_reaches =
+          options.backwards && !by_shape ? reaches.size() : StandSearchOptions{}.most_reaches;
+      options.accept = nullptr;
+      if (!anyhow && !options.backwards) {
+        options.accept = [&](const Configuration& start, const Reach& reach,
+                             const std::vector<ArmPositions>& along) {
+          const bool fine = gets_out(bench, object_, start, reach, along);
+          refused[by_shape] |= !fine;
+          return fine;
+        };
+      }
+      auto way = add_way_there(phases, bench, reaches, options, what, object_);
+      if (way || way.error().outcome == Outcome::kCancelled) return way;
+      if (found.error().message.empty()) found = std::move(way);
+    }
+  }
+  return found;
+}
+
 Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
   if (const auto arm = bench.arm_holding(object_)) {
     const auto& facts = bench.world().facts;
@@ -23,30 +64,8 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
     // Seen from outside it is not held (it hangs at the edge of a pad): let go of it and take it anew.
     bench.set_held(*arm, std::nullopt);
   }
-  auto reaches = grasp_reaches(bench, object_);
-  if (reaches.empty()) {
-    return fail(Outcome::kMotionFailed,
-                "no empty hand for " + object_ + ", or it cannot be seen; put something down first");
-  }
-  std::erase_if(reaches, [&](const Reach& r) {
-    return failed_.contains(r.tag) || (!only_.empty() && !only_.contains(r.tag));
-  });
-  StandSearchOptions options;
-  // From the tray: driving would take the object along, and the hand points back.
-  options.backwards = bench.checker().rides(object_);
-  options.may_drive = !options.backwards;
-  if (options.backwards) options.most_reaches = reaches.size();
   Phases phases;
-  const std::string what = "grasp " + object_;
-  auto found = add_way_there(phases, bench, reaches, options, what);
-  if (!found && found.error().outcome == Outcome::kMotionFailed && only_.empty()) {
-    // It lies on its side, say: another look at its shape.
-    auto others = grasp_reaches(bench, object_, true);
-    std::erase_if(others, [&](const Reach& r) { return failed_.contains(r.tag); });
-    Expected<Reach> other = fail(Outcome::kMotionFailed, "");
-    if (!others.empty()) other = add_way_there(phases, bench, others, options, what);
-    if (other || other.error().outcome == Outcome::kCancelled) found = std::move(other);
-  }
+  const auto found = find_way(phases, bench);
   if (!found) return tl::unexpected<Error>(found.error());
   const Reach reach = *found;
   // A way that fails is not tried again; it is forgotten when it works, as the skill ends then.
@@ -124,6 +143,7 @@ Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
   struct Wish {
     std::vector<Reach> reaches;
     bool stand_only = false;
+    // Empty: to stand before the furniture.
     std::function<bool(const Configuration&, const Reach&, const std::vector<ArmPositions>&)> accept = {};
   };
   std::vector<Wish> wishes;  // best first
@@ -140,6 +160,11 @@ Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
       return std::hypot(dx, dy) < 0.95 &&
              std::abs(std::remainder(std::atan2(dy, dx) - stand.yaw, 2 * M_PI)) < 0.7;
     };
+    const auto gets_it = [&, before_it](const Configuration& q, const Reach& reach,
+                                        const std::vector<ArmPositions>& along) {
+      return before_it(q, reach, along) && gets_out(bench, object_, q, reach, along);
+    };
+    if (!full) wishes.push_back({grasp_reaches(bench, object_), false, gets_it});
     if (!full) wishes.push_back({grasp_reaches(bench, object_), false, before_it});
     const auto* region = region_around(bench, *pose);
     // What no hand can take now (it has fallen over) can be gone to all the same.

@@ -67,7 +67,7 @@ Expected<Phases> PutSkill::use(Workbench& bench, std::size_t arm) {
     options.backwards = bench.checker().rides(receiver_);
     options.may_drive = !options.backwards;
     options.most_reaches = here->size();
-    found = add_way_there(phases, bench, *here, options, what_);
+    found = add_way_there(phases, bench, *here, options, what_, receiver_);
   }
   if (!found) return tl::unexpected<Error>(found.error());
   const Reach reach = *found;

@@ -55,6 +55,8 @@ class GraspSkill : public Skill {
   Expected<Phases> attempt(Workbench& bench, int number) override;
 
  private:
+  Expected<Reach> find_way(Phases& phases, Workbench& bench) const;
+
   std::string object_;
   std::set<std::size_t> only_;
   std::set<std::size_t> failed_;  // tags of ways that did not work

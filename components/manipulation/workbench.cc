@@ -94,6 +94,12 @@ void Workbench::suppose_grip(std::size_t arm, const Pose& object_in_tool) {
   checker_.update(world_, held_);
 }
 
+void Workbench::suppose_held(std::size_t arm, const std::string& object, const Pose& object_in_tool) {
+  as_perceived_ = held_;
+  held_[arm] = HeldObject{object, object_in_tool};
+  checker_.update(world_, held_);
+}
+
 void Workbench::end_supposition() {
   held_ = std::exchange(as_perceived_, {});
   checker_.update(world_, held_);

@@ -13,6 +13,7 @@
 #include "components/manipulation/manipulation_params.h"
 #include "components/manipulation/path_planner.h"
 #include "components/manipulation/trajectory_timing.h"
+#include "components/manipulation/tried_ways.h"
 #include "components/manipulation/world_view.h"
 #include "components/robot/arm_kinematics.h"
 #include "components/robot/robot_model.h"
@@ -72,6 +73,9 @@ class Workbench {
   // Supposes that an arm holds what it holds in another way, until the end of the supposition; searches in
   // vain give up ten times as soon meanwhile.
   void suppose_grip(std::size_t arm, const Pose& object_in_tool);
+  // Supposes, in a search that goes on, that an arm has closed on a thing. Not while something else is
+  // supposed.
+  void suppose_held(std::size_t arm, const std::string& object, const Pose& object_in_tool);
   void end_supposition();
   bool supposes() const { return !as_perceived_.empty(); }
 
@@ -79,9 +83,14 @@ class Workbench {
   void set_command(const std::vector<std::string>& joints, const std::vector<double>& positions);
   void forget_command() { command_.clear(); }
 
-  // What was found out on the way since the action began: find_stand() looks elsewhere.
+  // What was found out on the way since the action began, or since those before it that failed: find_stand()
+  // looks elsewhere.
   void note_dead_end(const DeadEnd& end) { dead_ends_.push_back(end); }
-  void forget_dead_ends() { dead_ends_.clear(); }
+  void set_dead_ends(std::vector<DeadEnd> ends) { dead_ends_ = std::move(ends); }
+  const std::vector<DeadEnd>& dead_ends() const { return dead_ends_; }
+  // What earlier actions of the instruction tried in vain: add_way_there() tries other ways first.
+  TriedWays& tried() { return tried_; }
+  const TriedWays& tried() const { return tried_; }
   bool leads_nowhere(const Stand& stand) const;
   bool leads_nowhere(const Stand& stand, std::size_t arm, const ArmPositions& posture) const;
 
@@ -118,16 +127,21 @@ class Workbench {
   // `opening` [m]: that the fingers will have before the end, if it is wider than now; they are taken for
   // that wide all the way.
   Expected<JointTrajectory> move_arm(std::size_t arm, const ArmPositions& goal, double lift,
-                                     double opening = 0.0);
+                                     double opening = 0.0, int iterations = PlannerLimits{}.iterations);
   // The tool along straight lines through poses in the map frame. Contacts within tolerances are allowed.
   Expected<JointTrajectory> move_straight(std::size_t arm, const std::vector<Pose>& poses,
                                           const Tolerances& tolerances, double speed = 1.0);
   // The base (and lift) to a stand; arms stay as they are.
   Expected<JointTrajectory> drive(const Stand& goal, int iterations = PlannerLimits{}.iterations);
+  // The base straight by a distance [m] along a direction [rad, from its heading; pi: backwards], arms as
+  // they are. Hands may pass as near to things as they are now: for coming out from between boards.
+  Expected<JointTrajectory> slide(double direction, double distance);
+  // Whether that would be free from a configuration.
+  bool can_slide(const Configuration& from, double direction, double distance) const;
   // Fingers to an opening [m] between them.
   JointTrajectory move_fingers(std::size_t arm, double opening, double speed = 1.0) const;
   // Back to the posture of driving; whatever is held comes close to the chest.
-  Expected<JointTrajectory> tuck(std::size_t arm);
+  Expected<JointTrajectory> tuck(std::size_t arm, int iterations = PlannerLimits{}.iterations);
   // The posture of driving for what the arm holds now; nothing if there is none here.
   std::optional<ArmPositions> carry_posture(std::size_t arm) const;
   bool is_tucked(std::size_t arm) const;
@@ -164,6 +178,7 @@ class Workbench {
   std::vector<std::optional<HeldObject>> as_perceived_;  // held_ while something else is supposed; else empty
   std::vector<std::optional<ArmPositions>> carry_;       // posture in which each arm was last tucked
   std::vector<DeadEnd> dead_ends_;
+  TriedWays tried_;
   std::vector<bool> hindered_;  // by arm
   std::optional<InTheWay> in_the_way_;
   std::set<std::string> staying_;
