@@ -283,7 +283,7 @@ void Coordinator::send_again(TimeNs now) {
   if (report_.stage == Stage::kInferring) {
     port_.request_goal(task.id, report_.step, report_.instruction, world_stamp_);
   } else if (report_.stage == Stage::kPlanning) {
-    port_.request_plan(task.id, report_.step, report_.instruction, report_.goal);
+    port_.request_plan(task.id, report_.step, report_.instruction, planned_goal());
   } else if (report_.stage == Stage::kActing && task.act == Act::kRunning && !task.order_heard) {
     port_.execute(task.order);
   } else if (report_.stage == Stage::kStopping) {

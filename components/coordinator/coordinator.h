@@ -137,7 +137,8 @@ class Coordinator {
     bool order_heard = false;
     Expectation expectation;
     std::uint32_t replans = 0;
-    std::map<Action, Failure> failures;                            // in this step
+    Goal detour;                         // planned for first, once: see check_effects(); empty: none
+    std::map<Action, Failure> failures;  // in this step
     std::vector<std::pair<FactSet, std::vector<Predicate>>> seen;  // (world, goal) at the start of each step
     Outcome stop_outcome = Outcome::kDone;
     std::string stop_message;
@@ -155,6 +156,7 @@ class Coordinator {
   void begin_step(TimeNs now);
   void take_goal(const Goal& goal, TimeNs now);
   void ask_for_plan(TimeNs now);
+  const Goal& planned_goal() const;
   void take_plan(const PlanAnswer& answer, TimeNs now);
   void prepare_action(TimeNs now);
   void check_effects(TimeNs now);

@@ -1,5 +1,6 @@
 // The loop itself: infer, plan, act, observe.
 #include <algorithm>
+#include <utility>
 
 #include "components/coordinator/coordinator.h"
 
@@ -92,6 +93,7 @@ void Coordinator::begin_step(TimeNs now) {
   task.orders = 0;
   task.replans = 0;
   task.failures.clear();
+  task.detour = Goal();
   report_.goal = Goal{};
   report_.plan.clear();
   report_.current_action = Action{};
@@ -129,11 +131,15 @@ void Coordinator::take_goal(const Goal& goal, TimeNs now) {
 void Coordinator::ask_for_plan(TimeNs now) {
   enter(Stage::kPlanning, now);
   task_->last_sent = now;
-  port_.request_plan(task_->id, report_.step, report_.instruction, report_.goal);
+  port_.request_plan(task_->id, report_.step, report_.instruction, planned_goal());
 }
+
+const Goal& Coordinator::planned_goal() const { return task_->detour.empty() ? report_.goal : task_->detour; }
 
 void Coordinator::take_plan(const PlanAnswer& answer, TimeNs now) {
   Task& task = *task_;
+  const bool no_detour = answer.outcome == Outcome::kDone ? answer.actions.empty() : true;
+  if (no_detour && !std::exchange(task.detour, Goal()).empty()) return ask_for_plan(now);
   if (answer.outcome != Outcome::kDone) return stop(answer.outcome, answer.message, now);
   report_.plan = answer.actions;
   report_.message.clear();
@@ -150,6 +156,7 @@ void Coordinator::prepare_action(TimeNs now) {
   Task& task = *task_;
   task.waiting_since = now;
   if (task.next == report_.plan.size()) {
+    if (!std::exchange(task.detour, Goal()).empty()) return ask_for_plan(now);
     task.act = Act::kCheckGoal;
     report_.current_action = Action{};
     report_.progress = 1.0;
@@ -183,6 +190,12 @@ void Coordinator::check_effects(TimeNs now) {
   }
   // The world may take its time: water runs, a door swings, the world model waits for things to settle.
   if (now - task.waiting_since <= nanoseconds(params_.effect_timeout)) return;
+  if (only_besides(lacking, task.expectation, task.order.action, report_.goal)) {
+    ++task.next;
+    task.act = Act::kPrepare;
+    return prepare_action(now);
+  }
+  task.detour = taking_in_hand(lacking, task.order.action, world_.facts);
   action_failed(task.order.action, Outcome::kMotionFailed, "afterwards the world " + to_string(lacking), now);
 }
 

@@ -46,6 +46,35 @@ Shortfall shortfall(const Expectation& expectation, const FactSet& facts) {
   return result;
 }
 
+bool only_besides(const Shortfall& shortfall, const Expectation& expectation, const Action& action,
+                  const Goal& goal) {
+  const std::size_t expected = expectation.added.size() + expectation.removed.size();
+  if (shortfall.missing.size() + shortfall.remaining.size() >= expected) return false;
+  const auto among = [](const auto& list, const auto& one) {
+    return std::find(list.begin(), list.end(), one) != list.end();
+  };
+  const auto besides = [&](const Predicate& fact, const std::vector<Predicate>& asked_for) {
+    return !among(action.arguments, fact.subject) && !among(action.arguments, fact.object) &&
+           !among(asked_for, fact);
+  };
+  return std::all_of(shortfall.missing.begin(), shortfall.missing.end(),
+                     [&](const Predicate& fact) { return besides(fact, goal.positive); }) &&
+         std::all_of(shortfall.remaining.begin(), shortfall.remaining.end(),
+                     [&](const Predicate& fact) { return besides(fact, goal.negative); });
+}
+
+Goal taking_in_hand(const Shortfall& shortfall, const Action& action, const FactSet& facts) {
+  for (const Predicate& missing : shortfall.missing) {
+    const std::string& thing = missing.subject;
+    const bool argument =
+        std::find(action.arguments.begin(), action.arguments.end(), thing) != action.arguments.end();
+    const auto stands = [&](const Predicate& fact) { return fact.relation == "On" && fact.subject == thing; };
+    if (missing.relation == "state" && !argument && std::any_of(facts.begin(), facts.end(), stands))
+      return {{{"Grasping", "Robot", thing}}, {}, 1.0};
+  }
+  return {};
+}
+
 std::string to_string(const Shortfall& shortfall) {
   std::string text;
   append(text, "lacks", shortfall.missing);

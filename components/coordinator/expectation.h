@@ -33,6 +33,16 @@ struct Shortfall {
 };
 Shortfall shortfall(const Expectation& expectation, const FactSet& facts);
 
+// Whether what is lacking is only what the rules say of things that the action was not done with and that
+// nobody asked for, while the action did what it was done for: a tap that is turned on fills all that is in
+// the sink by the rules, but only what stands under it in the world.
+bool only_besides(const Shortfall& shortfall, const Expectation& expectation, const Action& action,
+                  const Goal& goal);
+
+// The goal to take something in the hand that an action on something else should have changed where it
+// stands, but did not: from there it can be put right, under the tap. Empty if there is no such thing.
+Goal taking_in_hand(const Shortfall& shortfall, const Action& action, const FactSet& facts);
+
 // "lacks (On Mug_1 Sink), still has (Grasping Robot Mug_1)"; at most a handful are named.
 std::string to_string(const Shortfall& shortfall);
 

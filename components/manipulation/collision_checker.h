@@ -83,6 +83,10 @@ class CollisionChecker {
   bool object_fits(const std::string& object, const Pose& pose, double margin,
                    const std::vector<std::string>& ignored) const;
 
+  // The same with regard to one other body only.
+  bool object_clears(const std::string& object, const Pose& pose, const std::string& other,
+                     double margin) const;
+
   int body(const std::string& name) const;  // -1: none of that name
   const PartSet& all_parts() const { return all_parts_; }
   const PartSet& arm_parts(std::size_t arm) const { return arm_parts_[arm]; }  // moving links and attachment

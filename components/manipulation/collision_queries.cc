@@ -136,4 +136,15 @@ bool CollisionChecker::object_fits(const std::string& object, const Pose& pose, 
   return true;
 }
 
+bool CollisionChecker::object_clears(const std::string& object, const Pose& pose, const std::string& other,
+                                     double margin) const {
+  const auto* m = scene_.find_model_of(object);
+  const int index = body(other);
+  if (m == nullptr || index < 0) return true;
+  const Body& b = bodies_[static_cast<std::size_t>(index)];
+  PlacedShape shape = object_shapes_.at(m->name);
+  shape.place(pose);
+  return !b.counts() || !nearer_than(shape, b.shape, margin);
+}
+
 }  // namespace goalnet::manipulation

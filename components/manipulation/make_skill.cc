@@ -139,7 +139,8 @@ Expected<std::unique_ptr<Skill>> make_plain_skill(const Workbench& bench, const 
 Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action& action) {
   auto skill = make_plain_skill(bench, action);
   if (!skill || action.name == "moveto") return skill;
-  const std::set<std::string> arguments(action.arguments.begin(), action.arguments.end());
+  std::set<std::string> arguments(action.arguments.begin(), action.arguments.end());
+  if (arguments.contains(kScoop)) arguments.insert(kSpoon);
   return Expected<std::unique_ptr<Skill>>(std::make_unique<RoomSkill>(std::move(*skill), arguments));
 }
 

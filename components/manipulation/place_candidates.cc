@@ -14,7 +14,6 @@ constexpr double kFingerThickness = 0.014;  // [m]
 constexpr double kFingers = 0.006;          // [m] finger tips stay this high above it
 // [m] above the surface on the way in from the front; low under a low ceiling
 constexpr double kRaised[] = {0.03, 0.012};
-constexpr double kGap = 0.02;  // [m] to neighbours: room for fingers is checked by reaching itself
 
 struct Spot {
   Pose pose;  // map frame, on the surface
@@ -133,7 +132,7 @@ std::vector<PlaceCandidate> place_candidates(Workbench& bench, const std::string
       probe.translation().z() += 0.004;
       // The surface itself is nearer than the gap, so look for neighbours with a raised object and its own
       // fixture left out.
-      if (!bench.checker().object_fits(object, probe, kGap, {region.fixture}) ||
+      if (!bench.checker().object_fits(object, probe, kPlaceGap, {region.fixture}) ||
           !bench.checker().object_fits(object, probe, 0.001, {})) {
         continue;
       }

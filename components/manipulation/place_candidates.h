@@ -8,6 +8,9 @@
 
 namespace goalnet::manipulation {
 
+// [m] between what is put down and its neighbours; room for fingers is checked by reaching itself.
+constexpr double kPlaceGap = 0.02;
+
 struct PlaceCandidate {
   Pose object = Pose::Identity();           // upright, resting on the surface, in the map frame
   std::vector<Eigen::Vector3d> approaches;  // [m] offsets from which the object may come, last leg straight

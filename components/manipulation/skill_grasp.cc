@@ -1,6 +1,7 @@
 // grasp, and the way there.
 #include <cmath>
 
+#include "components/manipulation/place_candidates.h"
 #include "components/manipulation/retreat.h"
 #include "components/manipulation/skills.h"
 
@@ -111,16 +112,30 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
 
 namespace {
 
-// Whether a robot that stands there is near the fixture and has it before itself, a little more strictly than
-// the world model judges (0.95 m, 1.4 rad): within an arm's reach is not enough.
-bool stands_before(const Stand& stand, const scene::Fixture& fixture) {
+// Whether a robot that stands there is near a fixture and has what it goes to before itself, a little more
+// strictly than the world model judges (0.95 m, 1.4 rad): within an arm's reach is not enough. `point`: of a
+// burner or a knob, which are judged by their own direction; empty: the nearest point of the fixture counts.
+bool stands_before(const Stand& stand, const scene::Fixture& fixture,
+                   const std::optional<Eigen::Vector3d>& point) {
   const scene::Bounds bounds = scene::bounds(fixture.shapes);
   const Eigen::Vector3d here(stand.x, stand.y, 0.0);
   Eigen::Vector3d nearest = fixture.pose.inverse() * here;
   nearest = nearest.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-  const Eigen::Vector3d there = fixture.pose * nearest - here;
-  const double bearing = std::remainder(std::atan2(there.y(), there.x()) - stand.yaw, 2 * M_PI);
+  const Eigen::Vector3d there = fixture.pose * nearest - here, ahead = point ? *point - here : there;
+  const double bearing = std::remainder(std::atan2(ahead.y(), ahead.x()) - stand.yaw, 2 * M_PI);
   return std::hypot(there.x(), there.y()) < 0.93 && std::abs(bearing) < 1.35;
+}
+
+// The point of a place within a fixture by which the world model judges whether it lies ahead.
+std::optional<Eigen::Vector3d> point_of(const scene::Scene& scene, const std::string& place) {
+  if (scene.find_fixture(place) != nullptr) return std::nullopt;
+  if (const auto* region = scene.find_region(place); region != nullptr && !region->supports.empty())
+    return support_pose(scene, *region, region->supports.front()).translation();
+  if (const auto ref = scene.find_part(place)) {
+    const auto at_rest = [](const std::string&) { return 0.0; };
+    return scene::part_pose(*ref.fixture, *ref.part, at_rest).translation();
+  }
+  return std::nullopt;
 }
 
 // Something for each arm to come near to, without a way to get there.
@@ -181,8 +196,9 @@ Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
   if (pose != nullptr && bench.checker().rides(object_)) return Phases{};
   const scene::Region* region = bench.scene().find_region(place);
   const scene::Fixture* fixture = bench.scene().find_fixture(region != nullptr ? region->fixture : place);
-  const auto before_fixture = [&bench, fixture](const Configuration& q, const Reach&, const auto&) {
-    return stands_before(bench.stand_of(q), *fixture);
+  const auto point = point_of(bench.scene(), object_);
+  const auto before_fixture = [&bench, fixture, point](const Configuration& q, const Reach&, const auto&) {
+    return stands_before(bench.stand_of(q), *fixture, point);
   };
   // The last wish is to stand before the furniture.
   wishes.push_back({front_reaches(bench, place), full});

@@ -10,6 +10,7 @@ namespace {
 constexpr double kLies = 0.3;           // [rad] something that leans more has fallen over
 constexpr std::size_t kMostGrips = 16;  // looked at: a search for each
 constexpr std::size_t kEnough = 4;      // grips that would do
+constexpr int kMostRooms = 3;           // things put aside before one place is free
 
 // Much the same grip: where one does not do, the other will not either.
 bool alike(const Pose& a, const Pose& b) {
@@ -23,12 +24,18 @@ Expected<Phases> HeldSkill::attempt(Workbench& bench, int number) {
   if (takes_anew_ && !bench.arm_holding(held_)) return take_->attempt(bench, number);
   takes_anew_ = false;
   std::string occupant;
-  if (auto put = aside_.empty() ? make_room(bench, occupant) : nullptr)
-    begin_moving(std::move(occupant), std::move(put));
+  if (moving_ == Moving::kNot && rooms_made_ < kMostRooms) {
+    if (auto put = make_room(bench, occupant)) {
+      ++rooms_made_;
+      begin_moving(std::move(occupant), std::move(put));
+    }
+  }
   if (moving_ != Moving::kNot) {
     auto phases = move_aside(bench, number);
     if (phases ? moving_ != Moving::kNot : phases.error().outcome == Outcome::kCancelled) return phases;
+    if (!phases) rooms_made_ = kMostRooms;
     moving_ = Moving::kNot;  // done, or in vain
+    if (phases && rooms_made_ < kMostRooms) return attempt(bench, number);
   }
   const auto arm = bench.arm_holding(held_);
   if (!arm) return fail(Outcome::kMotionFailed, what_ + ": " + held_ + " is not in a hand");
@@ -39,8 +46,14 @@ Expected<Phases> HeldSkill::attempt(Workbench& bench, int number) {
   std::set<std::size_t> grips;
   if (!take_ && another_grip_may_help(bench)) grips = other_grips(bench, *arm);
   if (bench.stopped()) return fail(Outcome::kCancelled, what_ + ": cancelled");
+  if (grips.empty() && does_with_less()) phases = use(bench, *arm);
+  if (grips.empty() && phases) return phases;
   if (grips.empty()) {
-    if (!receiver_may_move(bench)) return phases;
+    if (!receiver_may_move(bench)) {
+      const Pose* receiver = receiver_.empty() ? nullptr : bench.world().object(receiver_);
+      if (receiver != nullptr && aside_.empty() && tilt_of(*receiver) > kLies) bench.note_wants_hand(true);
+      return phases;
+    }
     begin_moving(receiver_, std::make_unique<PlaceSkill>(receiver_, PlaceSkill::Where::kNearest, ""));
     auto aside = move_aside(bench, number);
     if (aside || aside.error().outcome == Outcome::kCancelled) return aside;

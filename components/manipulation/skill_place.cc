@@ -19,6 +19,7 @@ namespace {
 constexpr double kStepBack = 0.35;    // [m]
 constexpr double kSmall = 0.30;       // [m] wide: a burner, where nothing is put that has to go somewhere
 constexpr double kClear = 0.30;       // [m] around a place that is to be kept clear
+constexpr double kElsewhere = 30.0;   // [s] rather aside in the same place than somewhere else
 constexpr double kAsideOfTap = 0.20;  // [m] room for what comes under it, and for the hand that holds that
 
 std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where where,
@@ -27,10 +28,10 @@ std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where w
   std::vector<PlaceCandidate> out;
   std::vector<const scene::Region*> regions;
   const bool aside = where == PlaceSkill::Where::kAside;
-  if (where == PlaceSkill::Where::kRegion || aside) {
-    regions = regions_of(bench.scene(), region_name);
-  } else {
+  if (where == PlaceSkill::Where::kRegion || aside) regions = regions_of(bench.scene(), region_name);
+  if (where != PlaceSkill::Where::kRegion) {
     for (const auto& region : bench.scene().regions) {
+      if (aside && !is_worktop(region)) continue;
       // Worktops only: nobody wants what is released in the sink or on a burner.
       if (is_worktop(region) ||
           (region.name == region_name && region.relation == scene::RegionRelation::kOn &&
@@ -48,6 +49,7 @@ std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where w
         const auto& p = candidate.object.translation();
         candidate.preference += std::hypot(p.x() - here.x, p.y() - here.y);
       }
+      if (aside && is_worktop(*region)) candidate.preference += kElsewhere;
       out.push_back(candidate);
       origin.push_back(region);
     }
@@ -134,6 +136,19 @@ std::vector<Reach> reaches_of(const std::vector<PlaceWay>& ways) {
   return reaches;
 }
 
+// Whether a thing that no hand holds keeps another from standing at a place, however that is turned.
+bool stands_on(const Workbench& bench, const std::string& thing, const Pose& place,
+               const std::string& other) {
+  const Pose* pose = bench.world().object(thing);
+  if (pose == nullptr || bench.arm_holding(thing) || bench.checker().rides(thing)) return false;
+  for (int h = 0; h < 8; ++h) {
+    const Pose turned =
+        moved(place, {0, 0, 0.006}) * Eigen::AngleAxisd(h * M_PI / 4, Eigen::Vector3d::UnitZ());
+    if (bench.checker().object_clears(other, turned, thing, kPlaceGap)) return false;
+  }
+  return true;
+}
+
 // Whether the empty hand would get away from where it let go: a little way back, along its fingers.
 bool gets_away(const Workbench& bench, const Configuration& start, std::size_t arm,
                const ArmPositions& last) {
@@ -149,27 +164,24 @@ bool gets_away(const Workbench& bench, const Configuration& start, std::size_t a
 
 }  // namespace
 
-// The water runs, and something else stands under it: that goes aside.
+// What is filled there goes where the water runs; what is in the way there, standing or lying, goes aside.
 std::unique_ptr<Skill> PlaceSkill::make_room(const Workbench& bench, std::string& occupant) const {
   const auto& scene = bench.scene();
   const auto* model = scene.find_model_of(held_);
-  if (where_ != Where::kRegion || !model->cavity || !model->cavity->liquid) return nullptr;
+  if (where_ != Where::kRegion || !model->cavity || !model->cavity->liquid || model->cavity->shallow())
+    return nullptr;
   const auto& held = bench.held();
   if (std::none_of(held.begin(), held.end(), [](const auto& hand) { return !hand; })) return nullptr;
   for (const auto* region : regions_of(scene, region_)) {
     const auto* fixture = scene.find_fixture(region->fixture);
-    for (const auto& object : scene.objects) {
-      const Pose* pose = bench.world().object(object.name);
-      if (pose == nullptr || bench.arm_holding(object.name) || region_around(bench, *pose) != region)
-        continue;
-      const double reach = scene.model_of(object).footprint_radius();
-      const auto* outlet = outlet_near(scene, *fixture, pose->translation(), reach);
-      const auto& facts = bench.world().facts;
-      if (outlet == nullptr || !std::all_of(outlet->when.begin(), outlet->when.end(),
-                                            [&](const Predicate& fact) { return facts.contains(fact); }))
-        continue;
-      occupant = object.name;
-      return std::make_unique<PlaceSkill>(object.name, Where::kAside, region_);
+    for (const auto& spot : region->spots) {
+      const Pose at = fixture->pose * spot.frame;
+      if (outlet_near(scene, *fixture, at.translation(), 0.02) == nullptr) continue;
+      for (const auto& object : scene.objects) {
+        if (object.name == held_ || !stands_on(bench, object.name, at, held_)) continue;
+        occupant = object.name;
+        return std::make_unique<PlaceSkill>(object.name, Where::kAside, region_);
+      }
     }
   }
   return nullptr;
@@ -189,6 +201,21 @@ Expected<Phases> PlaceSkill::step_back(Workbench& bench) {
   failed_.clear();  // they failed there
   only_prepared_ = true;
   return phases;
+}
+
+// Whether the thing would stand under water that runs now, and can take it.
+bool PlaceSkill::runs_into(const Workbench& bench, const PlaceWay& way) const {
+  const auto& cavity = bench.scene().find_model_of(held_)->cavity;
+  if (where_ != Where::kRegion || !cavity || !cavity->liquid || cavity->shallow()) return false;
+  for (const auto* region : regions_of(bench.scene(), region_)) {
+    const auto& fixture = *bench.scene().find_fixture(region->fixture);
+    const auto* outlet = outlet_near(bench.scene(), fixture, way.object.translation(), 0.02);
+    if (outlet != nullptr && std::ranges::all_of(outlet->when, [&](const Predicate& fact) {
+          return bench.world().facts.contains(fact);
+        }))
+      return true;
+  }
+  return false;
 }
 
 // By what is free now; those that failed already are left out.
@@ -211,7 +238,10 @@ std::vector<PlaceWay> PlaceSkill::find_ways(Workbench& bench, std::size_t arm) c
 Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
   if (where_ == Where::kTray && !failed_.empty() && !stepped_back_ && !bench.supposes())
     return step_back(bench);
-  const std::vector<PlaceWay> all = find_ways(bench, arm);
+  std::vector<PlaceWay> all = find_ways(bench, arm);
+  const bool streams = std::ranges::any_of(all, [&](const PlaceWay& w) { return runs_into(bench, w); });
+  if (failed_.empty() && !bench.supposes() && !did_with_less_) wants_stream_ = streams;
+  if (wants_stream_) std::erase_if(all, [&](const PlaceWay& w) { return !runs_into(bench, w); });
   const std::vector<Reach> reaches = reaches_of(all);
   StandSearchOptions options;
   options.may_drive = where_ != Where::kTray;

@@ -14,6 +14,13 @@ bool has_free_hand(const Workbench& bench) {
   return std::any_of(held.begin(), held.end(), [](const auto& hand) { return !hand; });
 }
 
+// What a hand holds that the action does not need.
+std::optional<std::string> may_be_put_down(const Workbench& bench, const std::set<std::string>& staying) {
+  for (const auto& hand : bench.held())
+    if (hand && !staying.contains(hand->name)) return hand->name;
+  return std::nullopt;
+}
+
 }  // namespace
 
 RoomSkill::RoomSkill(std::unique_ptr<Skill> doing, std::set<std::string> staying, int nested)
@@ -29,6 +36,15 @@ void RoomSkill::begin_moving(const Workbench& bench, const InTheWay& what) {
   put_ = std::make_unique<PlaceSkill>(aside_, PlaceSkill::Where::kNearest,
                                       region != nullptr ? region->name : "", what.place);
   moving_ = Moving::kTakes;
+  ++moved_;
+}
+
+// With both hands full: one is freed first.
+void RoomSkill::begin_putting_down(const std::string& thing, const std::optional<InTheWay>& what) {
+  aside_ = thing;
+  put_ = std::make_unique<PlaceSkill>(aside_, PlaceSkill::Where::kNearest, "",
+                                      what ? std::optional(what->place) : std::nullopt);
+  moving_ = Moving::kPuts;
   ++moved_;
 }
 
@@ -55,11 +71,19 @@ Expected<Phases> RoomSkill::attempt(Workbench& bench, int number) {
     }
     bench.set_staying(staying_);
     bench.note_in_the_way(std::nullopt);
+    bench.note_wants_hand(false);
     auto phases = doing_->attempt(bench, failed_attempts_);
     if (phases || phases.error().outcome != Outcome::kMotionFailed) return phases;
     const auto what = bench.in_the_way();
-    if (!what || moved_ >= kMostMoved || nested_ >= kMostNested || !has_free_hand(bench)) return phases;
-    begin_moving(bench, *what);
+    if (!(what || bench.wants_hand()) || moved_ >= kMostMoved || nested_ >= kMostNested) return phases;
+    if (has_free_hand(bench)) {
+      if (!what) return phases;
+      begin_moving(bench, *what);
+    } else {
+      const auto thing = may_be_put_down(bench, staying_);
+      if (!thing) return phases;
+      begin_putting_down(*thing, what);
+    }
   }
 }
 

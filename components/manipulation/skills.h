@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -12,7 +13,8 @@
 namespace goalnet::manipulation {
 
 // Does another skill. Where that finds no way because of things that stand about, a free hand puts them aside
-// first, one after the other, and it is tried again.
+// first, one after the other, and it is tried again; if no hand is free, one puts down first what the action
+// does not need.
 class RoomSkill : public Skill {
  public:
   // `staying`: what must not be moved for it, the action's own arguments above all. `nested`: how many things
@@ -24,6 +26,7 @@ class RoomSkill : public Skill {
  private:
   enum class Moving { kNot, kTakes, kPuts };
   void begin_moving(const Workbench& bench, const InTheWay& what);
+  void begin_putting_down(const std::string& thing, const std::optional<InTheWay>& what);
   Expected<Phases> move(Workbench& bench, int number);
 
   std::unique_ptr<Skill> doing_;
@@ -78,6 +81,8 @@ class HeldSkill : public Skill {
   // The next way to do it with the arm that holds the thing; marks it in failed_.
   virtual Expected<Phases> use(Workbench& bench, std::size_t arm) = 0;
   virtual bool another_grip_may_help(const Workbench&) const { return true; }
+  // When no way was found, with no grip: whether use() will now do with less than what would be best.
+  virtual bool does_with_less() { return false; }
   // What has to be put aside first, and how; empty: nothing.
   virtual std::unique_ptr<Skill> make_room(const Workbench&, std::string&) const { return nullptr; }
 
@@ -98,6 +103,7 @@ class HeldSkill : public Skill {
   bool takes_anew_ = false;
   Moving moving_ = Moving::kNot;
   std::string aside_;  // what is moved, or was
+  int rooms_made_ = 0;
   std::unique_ptr<Skill> take_aside_, put_aside_;
 };
 
@@ -122,7 +128,12 @@ class PlaceSkill : public HeldSkill {
   Expected<Phases> use(Workbench& bench, std::size_t arm) override;
   bool another_grip_may_help(const Workbench&) const override { return where_ == Where::kRegion; }
   std::unique_ptr<Skill> make_room(const Workbench& bench, std::string& occupant) const override;
+  bool does_with_less() override {
+    did_with_less_ = true;
+    return std::exchange(wants_stream_, false);
+  }
 
+  bool runs_into(const Workbench& bench, const PlaceWay& way) const;
   Expected<Phases> step_back(Workbench& bench);
   std::vector<PlaceWay> find_ways(Workbench& bench, std::size_t arm) const;
 
@@ -130,6 +141,8 @@ class PlaceSkill : public HeldSkill {
   std::string region_;
   std::optional<Eigen::Vector3d> keep_clear_;
   bool stepped_back_ = false;
+  bool wants_stream_ = false;  // where water runs it is put under it, or else not at all
+  bool did_with_less_ = false;
 };
 
 // turn-on / turn-off knob, open / close door: take hold of a part and move its joint.

@@ -97,6 +97,9 @@ class Workbench {
   // What was found to be in the way when a skill found no way; and what must not be moved for it.
   void note_in_the_way(std::optional<InTheWay> what) { in_the_way_ = std::move(what); }
   const std::optional<InTheWay>& in_the_way() const { return in_the_way_; }
+  // A skill found no way because no hand was free for something that would have helped.
+  void note_wants_hand(bool wants) { wants_hand_ = wants; }
+  bool wants_hand() const { return wants_hand_; }
   void set_staying(std::set<std::string> things) { staying_ = std::move(things); }
   const std::set<std::string>& staying() const { return staying_; }
 
@@ -182,6 +185,7 @@ class Workbench {
   std::vector<bool> hindered_;  // by arm
   std::optional<InTheWay> in_the_way_;
   std::set<std::string> staying_;
+  bool wants_hand_ = false;
   std::function<bool()> stopped_;
 };
 

@@ -26,7 +26,7 @@ inline Goal goal(const std::vector<std::string>& positive, const std::vector<std
   return result;
 }
 
-// grasp X; keep-on X Y; moveto X.
+// grasp X; keep-on X Y; moveto X; turn-on Tap: water runs into all that is in the sink, by the rules.
 class ToyModel : public ActionModel {
  public:
   Expected<void> applicable(const WorldState& world, const Action& action) const override {
@@ -42,7 +42,11 @@ class ToyModel : public ActionModel {
   Expected<FactSet> apply(const WorldState& world, const Action& action) const override {
     FactSet result = world.facts;
     const std::string& x = action.arguments.at(0);
-    if (action.name == "moveto") {
+    if (action.name == "turn-on") {
+      result.insert({"state", x, "TapIsOn"});
+      for (const Predicate& on : world.facts)
+        if (on.relation == "On" && on.object == "Sink") result.insert({"state", on.subject, "Water"});
+    } else if (action.name == "moveto") {
       for (const Predicate& near : world.facts) {
         if (near.relation == "Near") result.erase(near);
       }
@@ -64,8 +68,9 @@ struct RecordingPort : Port {
   void request_goal(std::uint64_t id, std::uint32_t step, const std::string&, TimeNs) override {
     goal_requests.emplace_back(id, step);
   }
-  void request_plan(std::uint64_t id, std::uint32_t step, const std::string&, const Goal&) override {
+  void request_plan(std::uint64_t id, std::uint32_t step, const std::string&, const Goal& wanted) override {
     plan_requests.emplace_back(id, step);
+    plan_goal = wanted;
   }
   void execute(const ActionOrder& order) override { orders.push_back(order); }
   void cancel(const ActionOrder& order) override { cancels.push_back(order); }
@@ -73,6 +78,7 @@ struct RecordingPort : Port {
   void report(const Report& report) override { reports.push_back(report); }
 
   std::vector<std::pair<std::uint64_t, std::uint32_t>> goal_requests, plan_requests;
+  Goal plan_goal;  // of the last request
   std::vector<std::uint64_t> forgotten;
   std::vector<ActionOrder> orders, cancels;
   std::vector<Report> reports;
