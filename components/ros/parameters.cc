@@ -76,6 +76,13 @@ Expected<ParameterValue> Parameters::declare(const std::string& name, const Para
   if (name.empty()) return fail(Outcome::kInvalidRequest, "a parameter without a name");
   if (entries_.contains(name))
     return fail(Outcome::kInvalidRequest, "parameter '" + name + "' is declared twice");
+  // `a` and `a.b` cannot both stand in a parameter file: ros2 param dump would fail.
+  for (const auto& [other, entry] : entries_) {
+    if (other.starts_with(name + '.') || name.starts_with(other + '.')) {
+      return fail(Outcome::kInvalidRequest,
+                  fmt::format("parameter '{}' cannot stand beside '{}': a value is no group", name, other));
+    }
+  }
   ParameterValue value = default_value;
   std::string origin = "its default";
   if (const auto found = overrides_.find(name); found != overrides_.end()) {

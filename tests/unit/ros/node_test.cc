@@ -77,6 +77,9 @@ TEST_F(NodeTest, ParametersTakeOverridesAndAreChecked) {
   ASSERT_FALSE(wrong_type);
   EXPECT_THAT(wrong_type.error().message, HasSubstr("must be a string (for example \"text\")"));
   EXPECT_FALSE(node.declare_parameter("gain", 1.0)) << "twice";
+  EXPECT_FALSE(node.declare_parameter("gain.left", 1.0)) << "a file has either a value there or a group";
+  ASSERT_TRUE(node.declare_parameter("gains.left", 1.0));
+  EXPECT_FALSE(node.declare_parameter("gains", 1.0));
   EXPECT_THAT(node.parameters().unused_overrides(), ElementsAre("lost (-p)"));
   EXPECT_EQ(node.parameter<double>("gain"), 3.0);
 }
