@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -71,10 +72,11 @@ class Interpreter {
   Expected<std::int64_t> cost(const ActionSchema& schema, const std::vector<ObjectId>& binding) const;
 
  private:
-  template <class Visit>
+  // Calls visit() for every way to bind the variables from `index` on; stops and returns false when visit()
+  // does.
   bool for_each_binding(std::span<const std::int32_t> variables, std::size_t index,
                         std::span<const TypeSet> slots, std::vector<ObjectId>& binding,
-                        const Visit& visit) const;
+                        const std::function<bool()>& visit) const;
   // The value of a quantifier over `inner`, which visit() judges once all variables are bound. Bindings that
   // decide nothing (something under 'exists' does not hold, something under 'forall' does) are left out as
   // early as that shows.
