@@ -1,6 +1,6 @@
 // `goalnet run`'s loop, cancelled through the action by another process's means: all components share one
 // thread there, and the cancel must get through whatever that thread is busy with.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include <atomic>
 #include <cstdlib>

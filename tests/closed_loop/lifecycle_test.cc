@@ -1,5 +1,5 @@
 // Every component as a managed node, over the services that ros2 lifecycle and ros2 param use.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <malloc.h>
 
 #include <fstream>

@@ -1,6 +1,6 @@
 // Each component in a process of its own, in any start order, in namespaces, lost and started again: the same
 // classes, the same topics, real time.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <signal.h>
 
 #include <algorithm>

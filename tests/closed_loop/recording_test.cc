@@ -1,5 +1,5 @@
 // Runs and processes that are recorded: what the bags hold, twice the same, and after the recorder's death.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <signal.h>
 
 #include <filesystem>

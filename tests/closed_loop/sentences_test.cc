@@ -1,5 +1,5 @@
 // The whole loop from a sentence, with the model that ships; and that the same seed gives the same run.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include "tests/closed_loop/run_json.h"
 

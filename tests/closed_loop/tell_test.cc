@@ -1,6 +1,6 @@
 // `goalnet tell` as people type it, against a whole robot in another process's place: the loop of `goalnet
 // run`.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <signal.h>
 
 #include <atomic>

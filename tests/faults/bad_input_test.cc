@@ -1,6 +1,6 @@
 // What people get wrong on the command line: one clear message, the documented exit code, nothing left
 // behind.
-#include <gmock/gmock.h>
+#include <gmock/gmock-more-matchers.h>
 #include <unistd.h>
 
 #include <cstdint>

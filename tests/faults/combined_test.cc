@@ -1,7 +1,7 @@
 // Two and more disturbances in one run, at the worst moments: somebody's hand in the robot's work, and
 // sensors that fail for seconds. The loop gets there all the same, or ends with a typed outcome, a message,
 // and the robot at rest.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "sim/simulator_node.h"

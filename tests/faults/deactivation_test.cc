@@ -1,6 +1,6 @@
 // A cancel, or a component deactivated, while the robot moves: it comes to rest, the instruction ends with a
 // typed outcome, and once the component is active again everything works.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/ros/managed_component.h"

@@ -1,7 +1,7 @@
 // Every component as a process of its own, and on each topic and service that it listens to, found by
 // discovery: malformed samples, well-formed nonsense, and a flood. It must live on, answer, say each thing
 // once, hold its memory, and the executor's control loop must not notice.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

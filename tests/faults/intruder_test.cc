@@ -1,5 +1,5 @@
 // Other programs on the same domain while a run is on: a second instruction, an emergency stop.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include <nlohmann/json.hpp>
 

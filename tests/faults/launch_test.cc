@@ -1,5 +1,5 @@
 // `goalnet launch`: processes that die, hang, or never start; and its own end.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <signal.h>
 #include <unistd.h>
 

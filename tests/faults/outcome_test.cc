@@ -1,5 +1,5 @@
 // How a run can end, seen from outside: exit code and JSON for each outcome that the whole loop can produce.
-#include <gmock/gmock.h>
+#include <gmock/gmock-more-matchers.h>
 #include <signal.h>
 
 #include <algorithm>

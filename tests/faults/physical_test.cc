@@ -1,6 +1,6 @@
 // What can go wrong in the room itself while the robot works: the loop must notice, and either get there all
 // the same or end with a typed outcome and a message, the robot at rest.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "tests/faults/loop_fixture.h"

@@ -1,6 +1,6 @@
 // Sensors that fall silent or come late: what is not seen is not believed, and the robot does not go on
 // blindly.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "sim/simulator_node.h"

@@ -1,5 +1,5 @@
 // The closed loop with a Cyclone DDS program beside it: what people's tools see while the robot works.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <memory>

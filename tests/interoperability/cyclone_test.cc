@@ -1,6 +1,6 @@
 // goalnet and Cyclone DDS on one network: topics both ways, and many peers that come and go at once, also
 // such as make Fast DDS 2.9 abort in its default configuration (abort_test.cc).
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <memory>

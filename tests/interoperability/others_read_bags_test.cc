@@ -1,7 +1,7 @@
 // Bags of whole runs, decoded to the last message by software that is not ours: @mcap/core, @foxglove/rosbag2
 // and
 // @foxglove/rosmsg2-serialization from npm, which the CTest fixture npm_bag_readers installs.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 

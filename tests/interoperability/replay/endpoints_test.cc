@@ -1,6 +1,6 @@
 // What a node of ours makes in DDS against what real nodes make: every row of *_endpoints_table.txt, and
 // ros_discovery_info byte by byte.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/ros/detail/participant.h"

@@ -1,7 +1,7 @@
 // Captured exchanges of real ROS 2 tools with a real node, replayed against our services, action, parameters
 // and lifecycle: the requests go in byte by byte under the identities of the real clients; every reply and
 // every message that the real nodes sent must come out of ours, in the same order.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Services with Cyclone DDS on the other side, in the format of rmw_cyclonedds.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>

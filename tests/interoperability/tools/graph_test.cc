@@ -1,6 +1,6 @@
 // Every component as a process of its own, and what ROS 2 tools need of what they announce: seen by Cyclone
 // DDS, judged by the rules that rmw_dds_common, rcl, ros2cli and rclpy go by (docs/design/070-ros2-tools.md).
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>

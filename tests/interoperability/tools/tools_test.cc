@@ -1,7 +1,7 @@
 // Short-lived tools with the configuration of rmw_fastrtps against a node of ours: whatever they do in the
 // moment in which both sides find each other must not be lost, and starting must not take seconds now and
 // then.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

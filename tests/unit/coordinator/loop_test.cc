@@ -1,5 +1,5 @@
 // The loop when all goes well, and when the world differs from the plan.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include "tests/unit/coordinator/toy_world.h"
 

@@ -1,7 +1,7 @@
 // The coordinator as a node with the components around it played by the test over DDS.
 #pragma once
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include "components/coordinator/coordinator_node.h"
 #include "components/coordinator/status_message.h"

@@ -1,5 +1,5 @@
 // Every way an instruction can end: each outcome code is produced here.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include "tests/unit/coordinator/toy_world.h"
 

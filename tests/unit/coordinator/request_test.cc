@@ -1,6 +1,6 @@
 #include "components/coordinator/request.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 namespace goalnet::coordinator {
 namespace {

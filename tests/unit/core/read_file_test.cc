@@ -1,6 +1,6 @@
 #include "components/core/read_file.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <unistd.h>
 
 #include <fstream>

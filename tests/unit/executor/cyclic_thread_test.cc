@@ -1,7 +1,7 @@
 // The 1 kHz loop: its schedule with a fake clock, and the real thread on the real clock.
 #include "executor/cyclic_thread.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <chrono>

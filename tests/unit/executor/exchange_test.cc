@@ -1,6 +1,6 @@
 // The lock-free exchanges: every interleaving in a model, wrong variants that the model must reject, and real
 // threads.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <memory>

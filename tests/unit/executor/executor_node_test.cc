@@ -1,7 +1,7 @@
 // The executor on DDS: trajectories in, status and commands out, in lockstep and on the wall clock.
 #include "executor/executor_node.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 

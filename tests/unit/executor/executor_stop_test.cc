@@ -1,7 +1,7 @@
 // How the executor stops: smoothly on the path, hard in an emergency, and when something is wrong.
 #include "executor/trajectory_executor.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // After a joint did not follow: nothing is left pressed, and nothing jumps.
 #include "executor/trajectory_executor.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

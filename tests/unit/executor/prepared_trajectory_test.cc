@@ -1,7 +1,7 @@
 // What submit() refuses and how trajectories are sampled.
 #include "executor/prepared_trajectory.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

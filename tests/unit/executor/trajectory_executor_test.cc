@@ -1,7 +1,7 @@
 // The executor as a whole: following, splicing, and the same bits every time.
 #include "executor/trajectory_executor.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // The report of `goalnet ablate`: complete, repeatable, and silent about what was not measured.
 #include "tools/goalnet/ablate_report.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 

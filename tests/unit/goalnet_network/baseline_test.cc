@@ -1,5 +1,5 @@
 // The baseline of She et al.: frames, hypotheses over arguments, and that it learns what a verb means.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/goalnet/baseline/she_model.h"

@@ -2,7 +2,7 @@
 // gives the scores that were stored when it was made.
 #include "components/goalnet/network/network_model.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <fstream>

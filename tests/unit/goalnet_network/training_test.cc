@@ -1,7 +1,7 @@
 // Training: the same seed gives the same bytes, also across an interruption; other seeds do not; it learns.
 #include "components/goalnet/training/trainer.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 

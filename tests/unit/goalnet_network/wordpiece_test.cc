@@ -1,7 +1,7 @@
 // WordPiece as the uncased BERT models do it, and refusals of broken sentence encoders.
 #include "components/goalnet/encoder/wordpiece.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/goalnet/encoder/bert_weights.h"

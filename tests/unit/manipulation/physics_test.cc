@@ -1,5 +1,5 @@
 // Skills in simulated physics: what they claim must be true in the world.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/manipulation/testing/physics_harness.h"

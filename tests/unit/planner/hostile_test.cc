@@ -1,6 +1,6 @@
 // Bad input of every kind: one clear message or a typed limit, in bounded time and memory. Also: cancelling
 // at any moment.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // Every kind of slip in PDDL gives one message with file, line and column.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/planner/domain.h"

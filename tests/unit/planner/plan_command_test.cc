@@ -1,7 +1,7 @@
 // `goalnet plan` as people meet it: what it prints and its exit codes.
 #include "tools/goalnet/plan_command.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 // lockstep, too, where the search keeps the event loop busy.
 #include "components/planner/planner_node.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <unistd.h>
 
 #include <filesystem>

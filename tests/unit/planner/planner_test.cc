@@ -1,6 +1,6 @@
 // The planner on its own domains and on other people's kind of domains: right costs, typed refusals, limits,
 // cancelling.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,7 +1,7 @@
 // Actions: states, the four rules of cancelling, results, feedback, over real DDS.
 #include "components/ros/action_server.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,7 +1,7 @@
 // Names, the command line and parameter files: pure, no DDS.
 #include "components/ros/arguments.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <fstream>

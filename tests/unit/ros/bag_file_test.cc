@@ -1,5 +1,5 @@
 // Bags as files, without DDS: what was written comes back, also from what a killed recorder left.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

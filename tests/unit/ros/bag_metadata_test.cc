@@ -1,5 +1,5 @@
 // Quality of service and metadata of bags, and what is said about paths that are none.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <unistd.h>
 
 #include "components/ros/bag/offered_qos.h"

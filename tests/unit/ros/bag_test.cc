@@ -1,6 +1,6 @@
 // Recording and replaying over DDS: nothing is lost, quality of service follows the publishers, types need
 // not be known.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>

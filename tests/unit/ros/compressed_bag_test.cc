@@ -1,5 +1,5 @@
 // rosbag2's own compression, laid out as rosbag2 does: whole files by the zstd program, messages one by one.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <unistd.h>
 
 #include "components/ros/bag/bag_writer.h"

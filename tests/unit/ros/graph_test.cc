@@ -1,6 +1,6 @@
 // What other participants see of us: nodes, endpoints, type hashes, names that come and go; the environment.
 #include <fastrtps/utils/IPLocator.h>
-#include <gmock/gmock.h>
+#include <gmock/gmock-more-matchers.h>
 #include <gtest/gtest.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>

@@ -1,7 +1,7 @@
 // Managed nodes and diagnostics.
 #include "components/ros/lifecycle.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

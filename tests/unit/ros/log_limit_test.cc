@@ -1,7 +1,7 @@
 // A flood of one kind of line is cut short, and counted.
 #include "components/ros/log_limit.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 namespace goalnet::ros {
 namespace {

@@ -1,7 +1,7 @@
 // Managed components: transitions, parameters that make no sense, what is refused and why.
 #include "components/ros/managed_component.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "tests/unit/ros/support.h"

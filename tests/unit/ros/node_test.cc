@@ -1,7 +1,7 @@
 // A node as a whole: parameters, clocks, timers, logs, and what ROS 2 tools ask it.
 #include "components/ros/node.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/ros/parameter_file.h"

@@ -1,5 +1,5 @@
 // Publishers and subscriptions over real DDS: inside one participant, between participants, hostile samples.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,6 +1,6 @@
 // Our types and decoders against what real ROS 2 nodes sent (../shared/data/ros2; skipped where that is
 // absent).
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 #include <openssl/evp.h>
 

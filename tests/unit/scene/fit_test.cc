@@ -1,7 +1,7 @@
 // What does not go where, by its size.
 #include "components/scene/fit.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 namespace goalnet::scene {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <set>
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/scene/scene.h"

@@ -1,5 +1,5 @@
 // What the shipped living room promises.
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 #include "components/scene/scene.h"

@@ -1,6 +1,6 @@
 #include "tools/goalnet/command.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include <vector>
 

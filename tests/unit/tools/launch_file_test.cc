@@ -1,7 +1,7 @@
 // What a launch file becomes, and what is said of one that makes no sense.
 #include "tools/goalnet/launch/launch_file.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 namespace goalnet::tools {

@@ -1,6 +1,6 @@
 #include "tools/goalnet/record_options.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 
 namespace goalnet::tools {

@@ -1,6 +1,6 @@
 #include "tools/goalnet/run_options.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 namespace goalnet::tools {
 namespace {

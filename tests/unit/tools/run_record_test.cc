@@ -1,6 +1,6 @@
 #include "tools/goalnet/run_record.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include "tests/unit/coordinator/toy_world.h"
 

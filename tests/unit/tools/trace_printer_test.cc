@@ -1,6 +1,6 @@
 #include "tools/goalnet/trace_printer.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 
 #include <sstream>
 

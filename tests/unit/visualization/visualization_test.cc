@@ -1,6 +1,6 @@
 // What is drawn, when, and for whom. (That shapes stand where the scene says:
 // tests/closed_loop/recording_test.cc.)
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 

@@ -1,7 +1,7 @@
 // The world model on DDS: what it publishes, when, and what it does when observations stop.
 #include "components/world_model/world_model_node.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // Each relation, its borders, and what must not disturb it.
 #include "components/world_model/world_model.h"
 
-#include <gmock/gmock.h>
+#include <gmock/gmock-more-matchers.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
