@@ -13,11 +13,11 @@
 
 namespace goalnet::sim {
 
-// A finger on a movable thing.
+// A finger that presses on a movable thing.
 struct Touch {
   std::size_t object = 0;                           // in Scene::objects
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // [m] middle of the contact, in the object's frame
-  double force = 0;                                 // [N]
+  double force = 0;                                 // [N] towards the object's -z
 };
 
 // What the rules look at, once per evaluation.

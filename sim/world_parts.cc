@@ -89,7 +89,7 @@ void World::Parts::run_rules(double dt) {
   rules.update(input, dt);
 }
 
-// Where fingers press movable things, in those things' frames.
+// Where fingers press down on movable things, in those things' frames. A grip from the sides is no press.
 std::vector<Touch> World::Parts::finger_touches() {
   std::vector<Touch> touches;
   btDispatcher* dispatcher = physics.world().getDispatcher();
@@ -105,9 +105,12 @@ std::vector<Touch> World::Parts::finger_touches() {
         std::find_if(touches.begin(), touches.end(), [&](const Touch& t) { return t.object == index; });
     if (touch == touches.end())
       touch = touches.insert(touches.end(), Touch{index, Eigen::Vector3d::Zero(), 0.0});
+    const Eigen::Vector3d down = -(movables.pose(index).linear().col(2));
     for (int c = 0; c < manifold->getNumContacts(); ++c) {
       const btManifoldPoint& point = manifold->getContactPoint(c);
-      const double force = point.getAppliedImpulse() / options.physics_step;
+      // Bullet's normal points from the second body to the first.
+      const Eigen::Vector3d push = (first ? -1.0 : 1.0) * from_bullet(point.m_normalWorldOnB);
+      const double force = std::max(0.0, push.dot(down)) * point.getAppliedImpulse() / options.physics_step;
       touch->point += force * from_bullet(point.getPositionWorldOnB());
       touch->force += force;
     }

@@ -1,6 +1,6 @@
 // The whole loop in simulation, goals given as predicates: planning, motion and physics without learning. One
 // seed each here; tools/acceptance runs all of them over many.
-#include <gmock/gmock.h>
+#include <gmock/gmock-more-matchers.h>
 
 #include "tests/closed_loop/run_json.h"
 
@@ -119,6 +119,15 @@ INSTANTIATE_TEST_SUITE_P(
              "living_room",
              {"press Tv_1Remote_1ChannelUpButton"}}),
     [](const testing::TestParamInfo<Case>& one) { return std::string(one.param.name); });
+
+// A grip from the sides is no press on a key.
+TEST(RemoteControl, IsTakenWithoutPressingItsKeys) {
+  const RunResult result =
+      run_json({"--scene", "living_room", "tv on, channel 6, and then bring me the remote"}, 84);
+  EXPECT_EQ(result.exit_code, 0) << result.json["message"];
+  EXPECT_TRUE(result.holds("(Grasping Robot Tv_1Remote_1)"));
+  EXPECT_TRUE(result.holds("(state Tv_1 Channel6)"));
+}
 
 // What is too large is known before anything moves.
 TEST(TooLarge, IsRefusedBeforeAnythingMoves) {

@@ -1,54 +1,20 @@
 #include "tools/goalnet/infer_command.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
 
 #include "components/core/config_path.h"
-#include "components/core/read_file.h"
 #include "components/goalnet/goal_model.h"
 #include "components/goalnet/goal_planner.h"
 #include "tools/goalnet/command_line.h"
+#include "tools/goalnet/world_file.h"
 
 namespace goalnet::tools {
 namespace {
 
 using namespace goalnet::inference;
 using nlohmann::json;
-
-Expected<WorldState> read_world(const std::string& path) {
-  const auto bad = [&](const std::string& what) {
-    return fail(Outcome::kInvalidRequest, path + ": " + what);
-  };
-  const auto text = read_file(path, 64 << 20);
-  if (!text) return tl::unexpected<Error>(text.error());
-  const auto is_list_of_texts = [](const json& list) {
-    return list.is_array() &&
-           std::all_of(list.begin(), list.end(), [](const json& item) { return item.is_string(); });
-  };
-  try {
-    const json object = json::parse(*text);
-    if (!object.is_object() || !object.contains("facts") || !is_list_of_texts(object["facts"]) ||
-        !is_list_of_texts(object.value("objects", json::array())))
-      return bad("should be {\"objects\": [\"Mug_1\", ...], \"facts\": [\"(On Mug_1 Sink)\", ...]}");
-    std::vector<Predicate> facts;
-    std::set<std::string> objects;
-    for (const json& item : object.at("facts")) {
-      auto fact = parse_predicate(item.get<std::string>());
-      if (!fact) return bad(fact.error().message);
-      objects.insert(fact->subject);
-      if (!fact->object.empty() && fact->relation != "state") objects.insert(fact->object);
-      facts.push_back(std::move(*fact));
-    }
-    if (object.contains("objects"))
-      for (const json& name : object.at("objects")) objects.insert(name.get<std::string>());
-    return WorldState{{objects.begin(), objects.end()}, FactSet(std::move(facts))};
-  } catch (const json::exception& error) {
-    return bad(error.what());
-  }
-}
 
 json texts(const std::vector<Predicate>& facts) {
   json list = json::array();
@@ -79,18 +45,19 @@ int infer_command(int argc, char** argv) {
   app.add_option("--steps", steps, "at most so many steps")->check(CLI::Range(1, 30))->capture_default_str();
   app.add_flag("--json", as_json, "print one JSON object");
   if (const auto code = parse_or_tell(app, argc, argv)) return *code;
-  const auto world = read_world(state);
-  if (!world) return tell(app.get_name(), world.error(), as_json);
+  const auto file = read_world(state);
+  if (!file) return tell(app.get_name(), file.error(), as_json);
+  const WorldState& world = file->world;
   auto model = load_model(model_file);
   if (!model) return tell(app.get_name(), model.error(), as_json);
 
   Symbols symbols;
   const GoalPlanner planner;
-  std::vector<WorldState> states = {*world};
+  std::vector<WorldState> states = {world};
   std::vector<Goal> goals;
   json list = json::array();
   Error problem{Outcome::kDone, ""};
-  SymState now = to_sym_state(world->facts, symbols);
+  SymState now = to_sym_state(world.facts, symbols);
   while (goals.size() < steps) {
     const auto goal =
         (*model)->infer({.sentence = instruction, .grounding = nullptr, .states = states, .goals = goals});
@@ -111,7 +78,7 @@ int infer_command(int argc, char** argv) {
                     {"confidence", goal->confidence},
                     {"actions", actions}});
     goals.push_back(*goal);
-    states.push_back({world->objects, to_fact_set(now, symbols)});
+    states.push_back({world.objects, to_fact_set(now, symbols)});
   }
   if (as_json) {
     print_json({{"instruction", instruction},

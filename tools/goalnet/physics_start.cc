@@ -109,7 +109,7 @@ class Arranger {
 };
 
 // Knobs and doors follow their joints; everything else that a device is, is a fact.
-void set_devices(sim::World& world, const FactSet& start) {
+void set_states(sim::World& world, const FactSet& start, Contents contents) {
   const Scene& scene = world.scene();
   for (const scene::JointFact& rule : scene.rules.joint_facts) {
     const int joint = world.find_fixture_joint(rule.joint);
@@ -120,10 +120,29 @@ void set_devices(sim::World& world, const FactSet& start) {
                                on ? part.part->on_position : part.part->off_position);
   }
   const FactSet before = world.facts();
-  for (const Predicate& fact : before)
-    if (!object_index(scene, fact.subject) && !start.contains(fact)) world.set_fact(fact, false);
+  for (const Predicate& fact : before) {
+    const bool stays = contents == Contents::kAsTheyAre && object_index(scene, fact.subject);
+    if (!stays && !start.contains(fact)) world.set_fact(fact, false);
+  }
   for (const Predicate& fact : known_facts(start, scene))
     if (fact.relation == "state") world.set_fact(fact, true);
+}
+
+// Whether the facts also say which part of the place: in FridgeLeft, and so in the Fridge.
+bool said_closer(const Predicate& fact, const std::vector<Predicate>& all, const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(), [&](const Region& region) {
+    return region.within == fact.object &&
+           std::find(all.begin(), all.end(), Predicate{fact.relation, fact.subject, region.name}) !=
+               all.end();
+  });
+}
+
+// Things that the scene has in that very place stay as they stand there.
+bool is_there_already(const Predicate& fact, const Scene& scene) {
+  const std::string& on = scene.objects[*object_index(scene, fact.subject)].placement.on;
+  return on == fact.object ||
+         std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [&](const Region& region) { return region.name == on && region.within == fact.object; });
 }
 
 }  // namespace
@@ -143,11 +162,16 @@ FactSet known_facts(const FactSet& facts, const Scene& scene) {
   return FactSet(std::move(result));
 }
 
-void arrange(sim::World& world, const FactSet& start) {
+void arrange(sim::World& world, const FactSet& start, Contents contents) {
+  const Scene& scene = world.scene();
   std::vector<Predicate> places;
-  for (const Predicate& fact : known_facts(start, world.scene()))
+  for (const Predicate& fact : known_facts(start, scene))
     if (is_place(fact)) places.push_back(fact);
-  set_devices(world, start);
+  const std::vector<Predicate> all = places;
+  std::erase_if(places, [&](const Predicate& fact) {
+    return said_closer(fact, all, scene) || is_there_already(fact, scene);
+  });
+  set_states(world, start, contents);
   Arranger(world).place(places);
 }
 

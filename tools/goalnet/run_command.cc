@@ -13,11 +13,13 @@
 #include "components/ros/arguments.h"
 #include "tools/goalnet/command_line.h"
 #include "tools/goalnet/lockstep_loop.h"
+#include "tools/goalnet/physics_start.h"
 #include "tools/goalnet/run_options.h"
 #include "tools/goalnet/run_record.h"
 #include "tools/goalnet/stop_signal.h"
 #include "tools/goalnet/trace_printer.h"
 #include "tools/goalnet/untidy_start.h"
+#include "tools/goalnet/world_file.h"
 
 namespace goalnet::tools {
 namespace {
@@ -67,6 +69,12 @@ class Run {
 
   Expected<void> prepare(const ros::Arguments& arguments) {
     if (auto folder = make_picture_folder(); !folder) return folder;
+    WorldFile start;
+    if (!options_.start.empty()) {
+      auto file = read_world(options_.start);
+      if (!file) return tl::unexpected<Error>(std::move(file.error()));
+      start = std::move(*file);
+    }
     LoopOptions loop_options;
     loop_options.scene = options_.scene;
     loop_options.robot = options_.robot;
@@ -93,7 +101,11 @@ class Run {
     loop_ = std::move(*loop);
     interruptible_ = loop_.get();
     if (options_.untidy) make_untidy(loop_->world(), options_.seed);
-    if (auto settled = loop_->settle(options_.untidy ? kRolling : kResting); !settled) return settled;
+    if (!options_.start.empty())
+      arrange(loop_->world(), start.world.facts, start.whole ? Contents::kAsSaid : Contents::kAsTheyAre);
+    const bool moved = options_.untidy || !options_.start.empty();
+    if (auto settled = loop_->settle(moved ? kRolling : kResting); !settled) return settled;
+    tell_what_differs(start.world.facts);
     return {};
   }
 
@@ -138,6 +150,17 @@ class Run {
 
  private:
   double sim_elapsed() const { return loop_ ? loop_->sim_time() - sim_start_ : 0.0; }
+
+  // A state can say what cannot be: places with no room left, things in the hand, things that are not here.
+  void tell_what_differs(const FactSet& start) const {
+    std::string missing;
+    for (const Predicate& fact : difference(start, record_.facts())) {
+      if (is_place(fact) || fact.relation == "state" || fact.relation == "Grasping")
+        missing += " " + to_string(fact);
+    }
+    if (!missing.empty())
+      std::cerr << "goalnet run: not as " << options_.start << " has it:" << missing << "\n";
+  }
 
   Expected<void> make_picture_folder() const {
     if (options_.render.empty()) return {};

@@ -64,9 +64,14 @@ ParsedRun parse_run_options(int argc, char** argv) {
   app.add_option("--seed", options.seed, "Varies where things stand")
       ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
       ->capture_default_str();
-  app.add_flag(
+  auto* untidy = app.add_flag(
       "--untidy", options.untidy,
       "Start in a mess that the seed decides: things pushed, tipped over, on other furniture, on the floor");
+  app.add_option(
+         "--start", options.start,
+         "Start from the places and states in this file: the JSON of another run, or {\"facts\": "
+         "[\"(On Mug_1 Sink)\", …]}. With \"objects\" it is the whole state: nothing holds but what it says")
+      ->excludes(untidy);
   app.add_option("--goal", goals, "Predicate to reach instead of an instruction, or \"not (…)\"; repeatable")
       ->allow_extra_args(false);
   app.add_option("--max-steps", options.max_steps, "Inference steps before giving up [30]")

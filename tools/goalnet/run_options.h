@@ -24,6 +24,7 @@ struct RunOptions {
   std::string record;                   // directory of a bag of everything; empty: none
   std::string record_storage = "mcap";  // or sqlite3
   bool untidy = false;                  // things lie about, as the seed has it
+  std::string start;                    // file of a world state to start from; empty: the scene's
   bool json = false;
   bool verbose = false;                    // components log to standard error
   std::vector<std::string> ros_arguments;  // after --ros-args
