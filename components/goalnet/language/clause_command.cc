@@ -92,6 +92,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
         continue;
       }
     }
+    if (language_.hears_people() && clause.wish && word == "to" && i + 2 < end && words_[i + 1] == "be" &&
+        clause.first(Role::kDirect) != nullptr) {
+      i += place_preposition(words_[i + 2]) ? 1 : 2;  // "I want the mug to be washed", "... to be in the sink"
+      continue;
+    }
     // "I want that pillow comes on the couch", "I want the mug to be in the sink"
     static constexpr std::array kIsToBe = {"come"sv, "comes"sv, "go"sv, "goes"sv, "goe"sv, "be"sv};
     if (language_.hears_people() && clause.wish && one_of(word, kIsToBe) && i + 1 < end &&

@@ -36,6 +36,7 @@ class ClauseParser {
   bool again(const Clause& fragment);
   bool says_nothing_here(std::size_t at, std::size_t end) const;
   std::size_t fragment(std::size_t at, std::size_t end);
+  std::size_t things_then_place(std::size_t at, std::size_t end, Clause& clause);
   std::size_t things_of_fragment(std::size_t at, std::size_t end, Clause& clause, NounPhrase& subject);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);

@@ -87,7 +87,9 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   std::size_t next = at;
   while (next < end && (words_[next] == "correction" || language_.joins(words_[next]) ||
                         (harmless(next) && !reader_.starts(next, end) && !place_preposition(words_[next]) &&
-                         !(language_.hears_people() && (words_[next] == "i" || words_[next] == "we")))))
+                         !(language_.hears_people() &&
+                           (words_[next] == "i" || words_[next] == "we" || number_word(words_[next]) > 0 ||
+                            one_of(words_[next], kParticles))))))
     ++next;
   if (const std::size_t stop = part_end(next, end);  // "no, scratch that, I am driving, the coke"
       language_.hears_people() && next < end && stop < end && tells(next, stop))
@@ -98,7 +100,9 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
            result_.clauses[result_.clauses.size() - 2].mood == Mood::kCommand)
       result_.clauses.pop_back();
   Clause* last = result_.clauses.empty() ? nullptr : &result_.clauses.back();
-  if (last == nullptr || last->mood != Mood::kCommand) return std::max(next, at + 1);
+  const bool wished = last != nullptr && language_.hears_people() && last->mood == Mood::kStatement && last->wish &&
+                      last->frame != Frame::kNone && next < end && !opens_command(next, end) && words_[next] != "wish";
+  if (last == nullptr || (last->mood != Mood::kCommand && !wished)) return std::max(next, at + 1);
   const bool alone =
       language_.hears_people() && next >= end && end + 1 < words_.size();  // "No wait. Put it there."
   if (next >= end && !alone) return std::max(next, at + 1);
@@ -114,6 +118,15 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   }
   if (alone) return std::max(next, at + 1);
   if (const std::size_t stop = other_way(next, end, *last); stop != next) return stop;
+  if (NounPhrase* named = nullptr; language_.hears_people() && next < end && number_word(words_[next]) > 0 &&
+                                   (next + 1 >= end || words_[next + 1] == ",")) {  // "one book, no, two"
+    for (NounPhrase& old : last->phrases)
+      if (old.role == Role::kDirect && !old.pronoun && old.count > 0 && named == nullptr) named = &old;
+    if (named != nullptr) {
+      named->count = number_word(words_[next]), named->plural = named->count > 1, named->all = false;
+      return next + 1;
+    }
+  }
   NounPhrase phrase;
   std::size_t done = reader_.read_place(next, end, phrase);
   Role role = Role::kDestination;

@@ -141,7 +141,12 @@ std::size_t ClauseParser::ensured(std::size_t at, std::size_t end) {
 
 // "the tap is running, do something about it".
 std::size_t ClauseParser::done_that(std::size_t at, std::size_t) {
-  if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement)
+  const auto says = std::find_if(result_.clauses.rbegin(), result_.clauses.rend(), [](const Clause& clause) {
+    return clause.mood != Mood::kStatement || !clause.state.empty();
+  });
+  if (language_.hears_people() && says != result_.clauses.rend() && says->mood == Mood::kStatement)
+    says->asked = true;  // "the tv is on, though nobody watches, see to it"
+  else if (!result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement)
     result_.clauses.back().asked = true;
   else if (language_.hears_people() && !result_.clauses.empty() &&
            result_.clauses.back().mood == Mood::kCommand)

@@ -68,7 +68,7 @@ std::string FrameActions::door(const Clause& clause, bool open) {
       std::erase_if(things, [&](Symbol thing) { return !openable(thing); });
       for (auto it = history_.rbegin(); it != history_.rend() && things.empty(); ++it)
         for (const Symbol thing : *it)
-          if (openable(thing) && things.empty()) things = {thing};
+          if ((openable(thing) || (at_home_ && is_switched(thing))) && things.empty()) things = {thing};
     } else if (!open && (phrase.everything || (phrase.phrase == "door" && both))) {  // "close all the doors"
       any = true;
       for (const Symbol thing : {kFridge, kMicrowave})

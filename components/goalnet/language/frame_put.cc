@@ -50,7 +50,7 @@ std::string FrameActions::put(const Clause& said) {
     moved.plural = moved.modifier_plural;
     moved.modifier.clear();
     NounPhrase& place = clause.phrases.front();
-    place.role = Role::kDestination, place.where = Where::kOn;
+    place.role = Role::kDestination, place.where = at_home_ ? Where::kTo : Where::kOn;
     place.modifier.clear();
     clause.phrases.push_back(moved);
   }
@@ -74,7 +74,10 @@ std::string FrameActions::put(const Clause& said) {
     const auto moved = only.pronoun || only.bare() || only.where != Where::kIn
                            ? Objects{}
                            : resolver_.options(only, Sort::kMovable, now_);
-    const bool console = at_home_ && !moved.empty() && resolver_.is_of_class(moved.front(), "xbox");
+    const bool console = at_home_ && !moved.empty() &&
+                         (resolver_.is_of_class(moved.front(), "xbox") ||
+                          resolver_.is_of_class(moved.front(), "garbage_bin") ||
+                          resolver_.is_of_class(moved.front(), "garbage_bag"));
     if (!moved.empty() && !console && !resolver_.class_of(moved.front())->place &&
         !resolver_.is_vessel(moved.front())) {
       only.role = Role::kDirect;

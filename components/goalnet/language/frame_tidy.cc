@@ -20,6 +20,17 @@ std::string FrameActions::discard(const Clause& clause) {
       if (phrase.role == Role::kDestination) phrase.role = Role::kSource;
     return discard(located);
   }
+  if (const NounPhrase* thing = clause.first(Role::kDirect);
+      at_home_ && thing != nullptr && !thing->pronoun && !thing->bare() &&
+      !(thing->content.empty() && thing->modifier.empty()) && resolver_.exists(kGarbageBin_1) &&
+      contains(resolver_.named(*thing), Symbol{kGarbageBin_1})) {  // "throw coke bin"
+    Clause away = clause;
+    NounPhrase& thrown = away.phrases.front();
+    thrown.phrase = thrown.word = thing->modifier.empty() ? thing->content : thing->modifier;
+    thrown.modifier.clear(), thrown.content.clear();
+    away.verb = "discard";
+    return discard(away);
+  }
   if (clause.to_person) return take(clause);                                  // "throw me the remote"
   if (clause.has_particle("in") && clause.first(Role::kDirect) != nullptr) {  // "throw in an egg"
     Clause added = clause;

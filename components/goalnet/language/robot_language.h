@@ -29,6 +29,10 @@ class RobotLanguage {
   const ReadingConfidence& confidence() const { return confidence_; }
   double background(const SentencePart& part) const { return background_.of(part.signs); }  // 0..1
   std::vector<SentencePart> parts(const std::vector<std::string>& tokens) const;
+  // As the grammar reads them first: see normal_words().
+  std::vector<std::string> words(const std::vector<std::string>& tokens) const {
+    return normal_words(tokens, *language_).text;
+  }
   // The words with those parts set aside.
   std::vector<std::string> without(const std::vector<std::string>& tokens,
                                    const std::vector<SentencePart>& parts,

@@ -28,6 +28,12 @@ void not_but(std::vector<std::string>& words);
 void name_the_one(std::vector<std::string>& words, const Language& language);
 // "on the coffee table, snack table I mean" -> "on the coffee table, correction snack table".
 void afterthoughts_first(std::vector<std::string>& words);
+// "the salt, which should not be here, belongs on the counter" -> "the salt belongs on the counter".
+void drop_relative_parts(std::vector<std::string>& words, const Language& language);
+// "one more thing: the salt" -> "wish the salt"; "one last thing, the tap is on" -> "the tap is on".
+void last_requests(std::vector<std::string>& words, const Language& language);
+// "a glass of water would do" -> "wish a glass of water".
+void wishes_first(std::vector<std::string>& words);
 // ", ," and ", ." where something between fell away.
 void join_pauses(std::vector<std::string>& words);
 

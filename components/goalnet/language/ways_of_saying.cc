@@ -213,6 +213,21 @@ void speak_for_others(std::vector<std::string>& text, const Language& language) 
         continue;
       }
     }
+    // "my wife says the plates belong in the sink": what they say counts
+    static constexpr std::array kTells = {"says"sv, "said"sv, "thinks"sv, "reckons"sv, "insists"sv, "believes"sv};
+    static constexpr std::array kOught = {"should"sv, "belong"sv, "belongs"sv, "must"sv, "go"sv,
+                                          "goes"sv,   "needs"sv,  "need"sv,    "has"sv,  "ought"sv};
+    if (language.hears_people() && next + 2 < text.size() && one_of(text[next], kTells)) {
+      const std::size_t said = text[next + 1] == "that" ? next + 2 : next + 1;
+      bool ought = false;
+      for (std::size_t k = said; k < text.size() && text[k] != "." && text[k] != ","; ++k)
+        ought = ought || one_of(text[k], kOught);
+      if (ought && said < text.size() && one_of(text[said], word_group::kArticles)) {
+        const bool whose = i > 0 && one_of(text[i - 1], kWhose);
+        text.erase(text.begin() + static_cast<long>(i - whose), text.begin() + static_cast<long>(said));
+        continue;
+      }
+    }
     std::size_t feels = next;  // "the kid is thirsty"
     while (feels < text.size() && (text[feels] == "is" || text[feels] == "are")) ++feels;
     const bool wishes = feels < text.size() && language.wish(text[feels]) != nullptr;

@@ -111,6 +111,9 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     } else if (const std::string& other = language.synonym(token); other != token) {
       text.push_back(other);
       ++words.synonyms;
+    } else if (language.hears_people() && token.size() > 4 && token.ends_with("in") &&
+               language.known(token + "g")) {
+      text.push_back(token + "g");  // "drippin"
     } else if (split(token, language, text)) {
       ++words.corrected;
     } else {
@@ -123,6 +126,9 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   }
   if (language.hears_people()) {
     drop_thrown_in(text, language);
+    drop_relative_parts(text, language);
+    wishes_first(text);
+    last_requests(text, language);
     needs_first(text);
     no_places(text);
     afterthoughts_first(text);

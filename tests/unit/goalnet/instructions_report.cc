@@ -75,7 +75,7 @@ void report(InstructionRunner& runner, const RobotLanguage& language, std::vecto
     std::printf("         background:");
     for (const SentencePart& part : language.parts(*tokens))
       std::printf(" [%s] %.2f", words_of(*tokens, part).c_str(), language.background(part));
-    std::printf("\n");
+    std::printf("\n         words: %s\n", joined(language.words(*tokens)).c_str());
   }
 }
 
