@@ -222,6 +222,15 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     while (i < end && !language_.joins(words_[i])) ++i;
     return i;
   }
+  // "the coke goes in the trash, and the beer": as well, though there is a "now" somewhere
+  if (language_.hears_people() && at > 0 && words_[at - 1] == "and" && subject.definite && ends_here(i, end) &&
+      std::find(words_.begin() + static_cast<long>(at), words_.begin() + static_cast<long>(end), "please") ==
+          words_.begin() + static_cast<long>(end) &&
+      !result_.clauses.empty() &&
+      (result_.clauses.back().frame == Frame::kPlace || result_.clauses.back().frame == Frame::kDiscard ||
+       result_.clauses.back().frame == Frame::kWash || result_.clauses.back().frame == Frame::kHeat) &&
+      again(clause))
+    return part_end(i, end);
   if (only_harmless_from(i) && polite) {
     clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;
     add(std::move(clause));

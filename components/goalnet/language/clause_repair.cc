@@ -45,6 +45,12 @@ std::size_t ClauseParser::narrows(std::size_t at, std::size_t end) {
   if (the_one) {  // the newest
     const auto named = std::find_if(phrases.rbegin(), phrases.rend(), meant);
     if (named == phrases.rend()) return at;
+    if (language_.hears_people() && language_.holds_things(place.phrase) &&
+        language_.content(named->phrase) != symbol::kNone && named->content.empty()) {
+      named->content = named->phrase;  // "a coffee, the one in the mug"
+      named->phrase = named->word = place.phrase;
+      return done;
+    }
     named->at.push_back(place);
     return done;
   }
@@ -91,6 +97,12 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
                            (words_[next] == "i" || words_[next] == "we" || number_word(words_[next]) > 0 ||
                             one_of(words_[next], kParticles))))))
     ++next;
+  // "no wait, not the egg, get me the syrup"
+  for (NounPhrase denied; language_.hears_people() && next + 1 < end && words_[next] == "not"; denied = {}) {
+    const std::size_t done = reader_.read(next + 1, end, denied);
+    if (done == next + 1 || done >= end || words_[done] != ",") break;
+    next = skip_joins(done, end);
+  }
   if (const std::size_t stop = part_end(next, end);  // "no, scratch that, I am driving, the coke"
       language_.hears_people() && next < end && stop < end && tells(next, stop))
     next = skip_joins(stop, end);

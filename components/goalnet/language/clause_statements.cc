@@ -68,7 +68,16 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       return part_end(at, end);
     }
   }
-  if (one_of(words_[i < end ? i : at], kSpeakers) || language_.wish(words_[i < end ? i : at]) != nullptr) {
+  static constexpr std::array kHave = {"left"sv, "have"sv, "has"sv, "had"sv, "forgot"sv};
+  bool somebody = false;  // "the children have left the television running"
+  if (NounPhrase who; language_.hears_people() && i < end) {
+    const std::size_t done = reader_.read(i, end, who);
+    somebody = done != i && who.person && done + 1 < end && one_of(words_[done], kHave) &&
+               std::any_of(words_.begin() + static_cast<long>(done), words_.begin() + static_cast<long>(part_end(i, end)),
+                           [&](const std::string& word) { return language_.verb_base(word) == "leave"; });
+    if (somebody) i = done - 1;
+  }
+  if (somebody || one_of(words_[i < end ? i : at], kSpeakers) || language_.wish(words_[i < end ? i : at]) != nullptr) {
     // "I am thirsty", "you left the tap on", "somebody spilled the coffee"
     const std::size_t stop = skip_part(i, end);
     for (std::size_t k = i; k < stop; ++k) {

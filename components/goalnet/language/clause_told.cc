@@ -64,6 +64,7 @@ bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
 void ClauseParser::add_told(std::size_t at, std::size_t stop) {
   Clause clause;
   clause.mood = Mood::kStatement;
+  std::size_t thing_end = SIZE_MAX;
   for (std::size_t i = at; i < stop;) {
     NounPhrase phrase;
     std::size_t done = reader_.read_place(i, stop, phrase);
@@ -76,8 +77,12 @@ void ClauseParser::add_told(std::size_t at, std::size_t stop) {
     } else if (done != i && !phrase.person && !phrase.unknown && !clause.wish &&
                (!phrase.phrase.empty() || (phrase.everything && !phrase.at.empty()))) {
       phrase.role = place ? Role::kDestination : Role::kDirect;
+      if (language_.hears_people() && place && thing_end == i && !clause.phrases.empty() &&
+          clause.phrases.back().role == Role::kDirect)
+        clause.phrases.back().at.push_back(phrase);  // "the book on the couch I have not finished"
       clause.phrases.push_back(std::move(phrase));
     }
+    if (!place) thing_end = done;
     i = std::max(done, i + 1);
   }
   add(std::move(clause));

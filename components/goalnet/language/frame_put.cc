@@ -39,6 +39,10 @@ std::string FrameActions::put(const Clause& said) {
       if (const auto options = resolver_.options(phrase, Sort::kMovable, now_); !options.empty())
         c = resolver_.class_of(options.front());
     if (c != nullptr && !c->place && phrase.joined) phrase.role = Role::kDirect;
+    // "the noodles go in the bowl, then water"
+    if (at_home_ && !first_place && phrase.joined && c == nullptr &&
+        language_.content(phrase.phrase) != kNone)
+      phrase.role = Role::kDirect;
     first_place = false;
   }
   // "put mug sink"

@@ -49,7 +49,10 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
       ++i;  // "the vanilla one"
     if (i < end && words_.text[i] == "number" && i + 1 < end && number_word(words_.text[i + 1])) ++i;
     if (i < end && phrase.count == 0 && !phrase.plural && (words_.text[i] != "one" || !determined) &&
-        number_word(words_.text[i]) && !(i + 1 < end && names_[i + 1] > 0)) {
+        number_word(words_.text[i]) &&
+        (!(i + 1 < end && names_[i + 1] > 0) ||
+         (language_.hears_people() && i + 1 + names_[i + 1] < end &&  // "pillow 4 armchair 4"
+          number_word(words_.text[i + 1 + names_[i + 1]]) > 0))) {
       phrase.number = number_word(words_.text[i]);
       ++i;
     }

@@ -73,6 +73,20 @@ std::vector<std::string> Language::within_a_slip(const std::string& word) const 
   return words;
 }
 
+// "armch" -> "armchair": the only name that begins so; the word itself where there is none.
+std::string Language::written_out(const std::string& word) const {
+  constexpr std::size_t kShortest = 4;
+  std::string whole;
+  if (word.size() < kShortest) return word;
+  for (auto it = std::lower_bound(vocabulary_.begin(), vocabulary_.end(), word);
+       it != vocabulary_.end() && it->starts_with(word); ++it) {
+    if (!names_thing(*it) || (!whole.empty() && it->starts_with(whole))) continue;  // "armchairs"
+    if (!whole.empty()) return word;
+    whole = *it;
+  }
+  return whole.empty() ? word : whole;
+}
+
 bool Language::may_be_a_slip(const std::string& word) const {
   return word.size() >= 3 && !known(word) && !synonyms_.contains(word) && !real_word(word) &&
          !real_word(singular(word));
@@ -81,6 +95,7 @@ bool Language::may_be_a_slip(const std::string& word) const {
 std::string Language::correct(const std::string& word) const {
   if (!may_be_a_slip(word)) return word;
   const std::vector<std::string> choice = within_a_slip(word);
+  if (choice.empty() && hears_people_) return written_out(word);
   return choice.empty() ? word : choice.front();
 }
 

@@ -75,6 +75,17 @@ void move_blanks(std::vector<std::string>& tokens, const Language& language, int
   }
 }
 
+bool is_state(const std::string& word, const Language& language) {
+  return language.wanted_by_state(word) != Frame::kNone || language.complaint(word) != Frame::kNone;
+}
+
+// "runing" -> "running"; empty for what does not end so.
+std::string with_doubled(const std::string& word) {
+  if (word.size() < 6 || !word.ends_with("ing")) return {};
+  const std::string stem = word.substr(0, word.size() - 3);
+  return stem + stem.back() + "ing";
+}
+
 // "mmm", "ssh", "brr": one or two letters, none of them a vowel; of people also "ehm", "uhh".
 bool is_sound(const std::string& word, bool hears_people) {
   constexpr std::size_t kLongest = 5;
@@ -104,7 +115,11 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   join_pieces(mended, language, words.corrected);
   std::vector<std::string> text;
   for (const std::string& token : mended) {
-    if (language.known(token)) {
+    if (const std::string doubled = language.hears_people() ? with_doubled(token) : std::string();
+        !doubled.empty() && is_state(doubled, language) && !is_state(token, language)) {
+      text.push_back(doubled);
+      ++words.corrected;
+    } else if (language.known(token)) {
       text.push_back(token);
     } else if (is_sound(token, language.hears_people())) {
       continue;
