@@ -88,6 +88,10 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     clause.phrases.push_back(there);
     return i + 2;
   }
+  // "the sink is for dirty things, I would like both plates there"
+  if (language_.hears_people() && word == "there" && clause.wish && clause.phrases.size() == 1 &&
+      ends_here(i + 1, end) && !result_.clauses.empty())
+    clause.frame = Frame::kPlace, clause.verb = "put", clause.wish = false;
   // "and get the controller there as well"
   if (language_.hears_people() && word == "there" && clause.frame == Frame::kTake && !clause.to_person &&
       !clause.wish && (clause.verb == "get" || clause.verb == "take") && clause.phrases.size() == 1 &&

@@ -28,6 +28,14 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
     if (same && there != nullptr)
       clause.phrases.push_back(*there), clause.frame = before.frame, clause.verb = before.verb;
   }
+  // "get the salt. ... Get the fork instead.": not both
+  if (language_.hears_people() && clause.has("instead") && clause.mood == Mood::kCommand) {
+    const auto before = std::find_if(result_.clauses.rbegin(), result_.clauses.rend(),
+                                     [](const Clause& c) { return c.mood == Mood::kCommand; });
+    if (before != result_.clauses.rend() && before->frame == clause.frame &&
+        (clause.frame == Frame::kTake || clause.frame == Frame::kBring))
+      before->mood = Mood::kStatement, before->frame = Frame::kNone, before->wish = false;
+  }
   behind_what_was_taken(clause);
   // "make the tap off", "make the sound away"
   if (const NounPhrase* thing = clause.first(Role::kDirect);

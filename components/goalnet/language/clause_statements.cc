@@ -145,6 +145,9 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     return i + 1;
   }
   i = named;
+  if (language_.hears_people() && i + 1 < end && is_pronoun(words_[i]) &&
+      (one_of(words_[i + 1], kDesire) || language_.copula(words_[i + 1])))
+    ++i;  // "the mug it must be put into the sink"
   // "the stuff on the stove has to go", "the pillow from the shelf should go on the chair"
   for (NounPhrase place; i < end; place = {}) {
     const std::size_t from = words_[i] == "from" ? i + 1 : i;
@@ -237,7 +240,8 @@ std::size_t ClauseParser::question(std::size_t at, std::size_t end) {
     }
     if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty() && (place || first_thing)) {
       // "is that my book on the table?": which book
-      if (place && language_.hears_people() && !clause.phrases.empty() && language_.copula(words_[at]) &&
+      if (place && language_.hears_people() && !clause.phrases.empty() &&
+          (language_.copula(words_[at]) || words_[at] == "which") &&
           clause.phrases.back().role == Role::kDirect)
         clause.phrases.back().at.push_back(phrase);
       phrase.role = place ? Role::kDestination : Role::kDirect;

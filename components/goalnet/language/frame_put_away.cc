@@ -145,6 +145,13 @@ std::string FrameActions::insert(const Clause& clause) {
     // "feed the xbox a disc"
     if (objects.size() == 2 && objects.front() == resolver_.xbox() && at_home_)
       return keep(objects[1], objects[0], Where::kIn);
+    // "open the microwave, insert the mug"
+    if (const Objects open = at_home_ ? pronoun(it(), Sort::kPlace, objects) : Objects{};
+        !open.empty() && (open.front() == kMicrowave || open.front() == kFridge)) {
+      for (const Symbol object : objects)
+        if (problem = keep(object, open.front(), Where::kIn); !problem.empty()) return problem;
+      return {};
+    }
     return "it is not clear where to " + clause.verb + " it";
   }
   NounPhrase inside = *destination;

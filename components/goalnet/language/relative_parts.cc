@@ -28,7 +28,8 @@ void drop_relative_parts(std::vector<std::string>& words, const Language& langua
   static constexpr std::array kDenies = {"not"sv, "never"sv, "should"sv, "shouldnt"sv, "isnt"sv, "doesnt"sv};
   static constexpr std::array kIs = {"is"sv, "are"sv, "stands"sv, "lies"sv, "sits"sv};
   for (std::size_t i = 1; i + 2 < words.size(); ++i) {
-    if (words[i] != "," || words[i + 1] != "which") continue;
+    if (words[i] != "," || words[i + 1] != "which" || language.names_thing(words[i + 2]) || words[i + 2] == "one")
+      continue;  // "..., which book is it?"
     std::size_t end = i + 2;
     bool denies = false, channel = false;
     for (; !ends_part(words, end); ++end) {
@@ -71,13 +72,15 @@ void last_requests(std::vector<std::string>& words, const Language& language) {
 void wishes_first(std::vector<std::string>& words) {
   static constexpr std::array kWould = {"would"sv, "will"sv, "wil"sv};
   static constexpr std::array kDoes = {"do"sv, "suffice"sv};
-  static constexpr std::array kBegins = {"a"sv, "an"sv, "some"sv, "just"sv, "only"sv, "maybe"sv, "perhaps"sv};
+  static constexpr std::array kBegins = {"a"sv, "an"sv, "some"sv, "just"sv, "only"sv, "maybe"sv, "perhaps"sv, "one"sv,
+                                         "two"sv};
   static constexpr std::array kBehind = {"nicely"sv, "fine"sv, "me"sv, "please"sv, "for"sv, "it"sv};
   const bool asks = std::any_of(words.begin(), words.end(), [](const std::string& word) {
     return word == "want" || word == "need" || word == "wish" || word == "like" || word == "bring" || word == "get";
   });
   for (std::size_t i = 2; i + 1 < words.size() && !asks; ++i) {
-    if (!one_of(words[i], kWould) || !one_of(words[i + 1], kDoes)) continue;
+    const bool enough = (words[i] == "is" || words[i] == "are") && (words[i + 1] == "plenty" || words[i + 1] == "enough");
+    if (!enough && (!one_of(words[i], kWould) || !one_of(words[i + 1], kDoes))) continue;
     std::size_t end = i + 2, begin = i;
     while (!ends_part(words, end) && one_of(words[end], kBehind)) ++end;
     while (begin > 0 && !ends_part(words, begin - 1)) --begin;

@@ -71,23 +71,33 @@ bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, con
       !(verb.size() > 5 && verb.ends_with("ing")) && !verb.ends_with("ed") && !verb.ends_with("s");
   // "iron my shirt": a noun before a determiner is a verb
   const bool slip = language_->may_be_a_slip(verb) && !language_->corrections(verb).empty();
-  const bool to_somebody = language_->person(tokens[part.end - 1]) || one_of(tokens[part.end - 1], kCourtesy);
+  std::size_t object = head + 1;  // "sing us a song", "knit me a jumper"
+  while (object + 1 < part.end && one_of(tokens[object], kPersons) && one_of(tokens[object + 1], kSome)) ++object;
+  // "jarvis my friend" is no order
+  const bool to_somebody = one_of(tokens[part.end - 1], kCourtesy) ||
+                           (object < part.end && one_of(tokens[object], kPossessives) &&
+                            language_->person(tokens[part.end - 1]));
   const bool sound = verb.find_first_of("aeiouy") == std::string::npos;  // "shhh the baby is asleep"
   const bool noun = !slip && !sound && !to_somebody && !language_->known(verb) && head + 1 < part.end;
-  if (!plain || !(language_->english_verb(verb) || noun) || one_of(verb, kCourtesy) ||
-      one_of(verb, kTurnsRequest) || language_->verb(verb) != Frame::kNone)
-    return false;
+  // whether the part ends with a thing that nobody here has
+  std::size_t last = object;
+  while (last < part.end && (one_of(tokens[last], kSome) || language_->describes(tokens[last]))) ++last;
+  const bool of_unknown = last > object && last + 1 == part.end && !language_->known(tokens[last]) &&
+                          (language_->real_word(tokens[last]) || !language_->kind_of(tokens[last]).empty());
+  if (!plain || one_of(verb, kCourtesy) || one_of(verb, kTurnsRequest)) return false;
+  // "clean my car"; but "take a break", "hold the line" say nothing of things
+  static constexpr std::array kDone = {Frame::kWash, Frame::kHeat, Frame::kBoil,   Frame::kOpen, Frame::kClose,
+                                       Frame::kFill, Frame::kPour, Frame::kEmpty,  Frame::kAdd,  Frame::kScoop,
+                                       Frame::kTurn, Frame::kStop, Frame::kInsert, Frame::kSwap, Frame::kDiscard};
+  if (const Frame frame = language_->verb(verb); frame != Frame::kNone)
+    return of_unknown && std::find(kDone.begin(), kDone.end(), frame) != kDone.end();
+  if (!language_->english_verb(verb) && !noun) return false;
   // "order a pizza" is no way of putting one, "iron my shirt" no way of pressing a button; "share the good
   // news" may be small talk
-  if (language_->synonym(verb) != verb) {
-    std::size_t last = head + 1;
-    while (last < part.end && (one_of(tokens[last], kSome) || language_->describes(tokens[last]))) ++last;
-    return last > head + 1 && last + 1 == part.end && !language_->known(tokens[last]) &&
-           (language_->real_word(tokens[last]) || !language_->kind_of(tokens[last]).empty());
-  }
+  if (language_->synonym(verb) != verb) return of_unknown;
   const bool behind = head > part.begin && (tokens[head - 1] == "and" || tokens[head - 1] == "then");
   return head + 1 == part.end ? behind  // "and dance"
-                              : one_of(tokens[head + 1], kSome);
+                              : object < part.end && one_of(tokens[object], kSome);
 }
 
 // "I also need the newspaper"
