@@ -73,6 +73,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   }
   if (const std::size_t stop = none_there(at, end); stop != at) return stop;
   if (const std::size_t stop = idle(at, end); stop != at) return stop;
+  if (const std::size_t stop = of_the_same(at, end); stop != at) return stop;
   at = skip_joins(at, end);
   if (at >= end) return at;
   if (const std::size_t stop = idle(at, end); stop != at) return stop;
@@ -127,18 +128,6 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       result_.clauses.back().phrases.push_back(std::move(left_out));
       return after;
     }
-  }
-  // "the beer is empty and should be binned": of the same thing
-  if (language_.hears_people() && (word == "should" || word == "must") && at > 1 && words_[at - 1] == "and" &&
-      !result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement &&
-      result_.clauses.back().first(Role::kDirect) != nullptr) {
-    Clause same;
-    same.mood = Mood::kStatement;
-    same.phrases = {*result_.clauses.back().first(Role::kDirect)};
-    add(std::move(same));
-    std::size_t k = at + 1;
-    while (k < end && language_.copula(words_[k])) ++k;
-    return predicate(k, end, result_.clauses.back(), true, false);
   }
   if (word == "do_that") return done_that(at, end);
   if (word == "hint") return hint(at, end);

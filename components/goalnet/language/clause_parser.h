@@ -29,6 +29,7 @@ class ClauseParser {
                    const NounPhrase& phrase, bool direct) const;
   std::size_t particle(std::size_t at, std::size_t end, Clause& clause, Role& role);
   std::size_t statement(std::size_t at, std::size_t end);
+  std::size_t of_the_same(std::size_t at, std::size_t end);
   std::size_t predicate(std::size_t at, std::size_t end, Clause& clause, bool desired, bool negative);
   // "(on the table) rather than on the couch", "(the mug) instead of the glass", ", not on the xbox": passed
   // over, but for what should stay out of it; `at` where it is none.

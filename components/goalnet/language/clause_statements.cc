@@ -16,6 +16,21 @@ constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,    
 
 }  // namespace
 
+// "(the beer is empty) and should be binned": of the same thing; `at` where it is none.
+std::size_t ClauseParser::of_the_same(std::size_t at, std::size_t end) {
+  if (!language_.hears_people() || at + 2 >= end || words_[at] != "and" ||
+      (words_[at + 1] != "should" && words_[at + 1] != "must") || result_.clauses.empty() ||
+      result_.clauses.back().mood != Mood::kStatement || result_.clauses.back().first(Role::kDirect) == nullptr)
+    return at;
+  Clause same;
+  same.mood = Mood::kStatement;
+  same.phrases = {*result_.clauses.back().first(Role::kDirect)};
+  add(std::move(same));
+  std::size_t k = at + 2;
+  while (k < end && language_.copula(words_[k])) ++k;
+  return predicate(k, end, result_.clauses.back(), true, false);
+}
+
 std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   std::size_t i = at;
   bool negative = false, desired = ensured_;

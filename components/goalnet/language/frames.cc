@@ -22,6 +22,10 @@ bool make_wish(Clause& clause, const Language& language) {
       return true;
     }
   }
+  // "I thought I had closed the fridge. Can you see to that?": what should have been done
+  if (frame == Frame::kNone && clause.asked && language.hears_people() && clause.state.empty() &&
+      clause.frame != Frame::kNone && !clause.phrases.empty())
+    return true;
   if (frame == Frame::kNone || clause.phrases.empty()) return false;
   clause.frame = frame;
   clause.verb = clause.state;

@@ -39,6 +39,9 @@ std::size_t NounPhraseReader::of(std::size_t i, std::size_t end, NounPhrase& phr
     if (carrier) {  // "a can of coke"
       inner.count = phrase.count, inner.role = phrase.role, inner.where = phrase.where;
       phrase = inner;
+    } else if (language_.hears_people() && inner.number > 0 && lexicon_.is_place_name(inner.phrase)) {
+      inner.where = Where::kOn;  // "the cushion of armchair number two"
+      phrase.at.push_back(inner);
     } else {
       phrase.modifier = inner.phrase;
     }
