@@ -61,6 +61,11 @@ bool ClauseParser::begins_anew(std::size_t i, std::size_t next, std::size_t done
                         ends_here(std::max(done, reader_.read_place(done, end, place)), end) &&
                         !(phrase.at.empty() && place.bare()))
     return true;
+  // "the coffee out, mug sink": a request of its own
+  if (language_.hears_people() && comma && direct && lexicon_->is_place_name(phrase.phrase) &&
+      !language_.holds_things(phrase.phrase) && !(phrase.modifier.empty() && phrase.content.empty()) &&
+      !lexicon_->is_place_name(phrase.modifier) && ends_here(done, end))
+    return true;
   NounPhrase place;
   const bool place_behind = reader_.read_place(done, end, place) != done;
   // "take a beer and a coke, both to the table"

@@ -133,7 +133,12 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   if (NounPhrase* named = nullptr; language_.hears_people() && next < end && number_word(words_[next]) > 0 &&
                                    (next + 1 >= end || words_[next + 1] == ",")) {  // "one book, no, two"
     for (NounPhrase& old : last->phrases)
-      if (old.role == Role::kDirect && !old.pronoun && old.count > 0 && named == nullptr) named = &old;
+      if (old.role == Role::kDirect && !old.pronoun && (old.count > 0 || old.number > 0) && named == nullptr)
+        named = &old;
+    if (named != nullptr && named->number > 0) {  // "channel one, no, five"
+      named->number = number_word(words_[next]);
+      return next + 1;
+    }
     if (named != nullptr) {
       named->count = number_word(words_[next]), named->plural = named->count > 1, named->all = false;
       return next + 1;

@@ -91,7 +91,10 @@ bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, con
                                        Frame::kTurn, Frame::kStop, Frame::kInsert, Frame::kSwap, Frame::kDiscard};
   if (const Frame frame = language_->verb(verb); frame != Frame::kNone)
     return of_unknown && std::find(kDone.begin(), kDone.end(), frame) != kDone.end();
-  if (!language_->english_verb(verb) && !noun) return false;
+  // that are nouns more often
+  static constexpr std::array kVerbsToo = {"order"sv, "phone"sv, "mail"sv, "email"sv, "text"sv, "post"sv,
+                                           "iron"sv,  "dust"sv,  "mop"sv,  "hoover"sv, "paint"sv, "hammer"sv};
+  if (!language_->english_verb(verb) && !noun && !one_of(verb, kVerbsToo)) return false;
   // "order a pizza" is no way of putting one, "iron my shirt" no way of pressing a button; "share the good
   // news" may be small talk
   if (language_->synonym(verb) != verb) return of_unknown;
