@@ -94,7 +94,8 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
     }
     if (language_.hears_people() && clause.wish && word == "to" && i + 2 < end && words_[i + 1] == "be" &&
         clause.first(Role::kDirect) != nullptr) {
-      i += place_preposition(words_[i + 2]) ? 1 : 2;  // "I want the mug to be washed", "... to be in the sink"
+      i +=
+          place_preposition(words_[i + 2]) ? 1 : 2;  // "I want the mug to be washed", "... to be in the sink"
       continue;
     }
     // "I want that pillow comes on the couch", "I want the mug to be in the sink"

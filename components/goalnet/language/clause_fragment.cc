@@ -223,7 +223,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     return i;
   }
   // "the coke goes in the trash, and the beer": as well, though there is a "now" somewhere
-  if (language_.hears_people() && at > 0 && words_[at - 1] == "and" && subject.definite && ends_here(i, end) &&
+  if (language_.hears_people() && at > 0 && words_[at - 1] == "and" && subject.definite &&
+      ends_here(i, end) &&
       std::find(words_.begin() + static_cast<long>(at), words_.begin() + static_cast<long>(end), "please") ==
           words_.begin() + static_cast<long>(end) &&
       !result_.clauses.empty() &&
@@ -248,46 +249,6 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   result_.stray.push_back(words_[at]);
   return std::max(i, at + 1);
-}
-
-// "pillow 4 armchair 4", "plate bowl both counter": things side by side, then the place where they go; `at` where it is
-// none.
-std::size_t ClauseParser::things_then_place(std::size_t at, std::size_t end, Clause& clause) {
-  const NounPhrase& first = clause.phrases.front();
-  if (!language_.hears_people() || first.bare() || first.pronoun || first.unknown || first.person || first.everything ||
-      lexicon_->is_place_name(first.phrase))
-    return at;
-  bool both = clause.phrases.size() > 1;  // "plate and bowl counter"
-  for (std::size_t i = at; i < end;) {
-    if (words_[i] == "both" || words_[i] == "all") {
-      ++i, both = true;
-      continue;
-    }
-    NounPhrase next;
-    const std::size_t done = reader_.read(i, end, next);
-    if (done == i || next.bare() || next.pronoun || next.unknown || next.person || next.everything) return at;
-    i = done;
-    if (!lexicon_->is_place_name(next.phrase) || language_.holds_things(next.phrase)) {
-      clause.phrases.push_back(std::move(next));
-      continue;
-    }
-    const bool several = clause.phrases.size() > 1 || !clause.phrases.front().modifier.empty();
-    if (!ends_here(i, end) || (several && !both)) return at;  // "mug kettle sink" may mean anything
-    next.role = Role::kDestination, next.where = Where::kTo;
-    for (std::size_t k = 0; k < clause.phrases.size(); ++k) {  // "plate bowl" are two things
-      NounPhrase& thing = clause.phrases[k];
-      if (thing.modifier.empty() || lexicon_->is_place_name(thing.modifier)) continue;
-      NounPhrase other;
-      other.phrase = other.word = thing.modifier, other.plural = thing.modifier_plural;
-      thing.modifier.clear();
-      clause.phrases.push_back(std::move(other));
-    }
-    clause.phrases.push_back(std::move(next));
-    clause.frame = Frame::kPlace, clause.verb = "put";
-    add(std::move(clause));
-    return i;
-  }
-  return at;
 }
 
 // Whether the part, which nobody could read, begins as no request does: with a thing that goes on with words

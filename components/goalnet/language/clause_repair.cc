@@ -112,8 +112,9 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
            result_.clauses[result_.clauses.size() - 2].mood == Mood::kCommand)
       result_.clauses.pop_back();
   Clause* last = result_.clauses.empty() ? nullptr : &result_.clauses.back();
-  const bool wished = last != nullptr && language_.hears_people() && last->mood == Mood::kStatement && last->wish &&
-                      last->frame != Frame::kNone && next < end && !opens_command(next, end) && words_[next] != "wish";
+  const bool wished = last != nullptr && language_.hears_people() && last->mood == Mood::kStatement &&
+                      last->wish && last->frame != Frame::kNone && next < end && !opens_command(next, end) &&
+                      words_[next] != "wish";
   if (last == nullptr || (last->mood != Mood::kCommand && !wished)) return std::max(next, at + 1);
   const bool alone =
       language_.hears_people() && next >= end && end + 1 < words_.size();  // "No wait. Put it there."

@@ -20,7 +20,8 @@ constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,    
 std::size_t ClauseParser::of_the_same(std::size_t at, std::size_t end) {
   if (!language_.hears_people() || at + 2 >= end || words_[at] != "and" ||
       (words_[at + 1] != "should" && words_[at + 1] != "must") || result_.clauses.empty() ||
-      result_.clauses.back().mood != Mood::kStatement || result_.clauses.back().first(Role::kDirect) == nullptr)
+      result_.clauses.back().mood != Mood::kStatement ||
+      result_.clauses.back().first(Role::kDirect) == nullptr)
     return at;
   Clause same;
   same.mood = Mood::kStatement;
@@ -88,11 +89,13 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   if (NounPhrase who; language_.hears_people() && i < end) {
     const std::size_t done = reader_.read(i, end, who);
     somebody = done != i && who.person && done + 1 < end && one_of(words_[done], kHave) &&
-               std::any_of(words_.begin() + static_cast<long>(done), words_.begin() + static_cast<long>(part_end(i, end)),
+               std::any_of(words_.begin() + static_cast<long>(done),
+                           words_.begin() + static_cast<long>(part_end(i, end)),
                            [&](const std::string& word) { return language_.verb_base(word) == "leave"; });
     if (somebody) i = done - 1;
   }
-  if (somebody || one_of(words_[i < end ? i : at], kSpeakers) || language_.wish(words_[i < end ? i : at]) != nullptr) {
+  if (somebody || one_of(words_[i < end ? i : at], kSpeakers) ||
+      language_.wish(words_[i < end ? i : at]) != nullptr) {
     // "I am thirsty", "you left the tap on", "somebody spilled the coffee"
     const std::size_t stop = skip_part(i, end);
     for (std::size_t k = i; k < stop; ++k) {

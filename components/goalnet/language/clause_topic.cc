@@ -17,7 +17,8 @@ std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
   thing.role = Role::kDirect;
   std::vector<NounPhrase> phrases = {thing};
   for (NounPhrase from; language_.hears_people() && i < end && words_[i] == "from"; from = {}) {
-    const std::size_t done = reader_.read(i + 1, end, from, true);  // "pillows from all armchairs you must bring ..."
+    const std::size_t done =
+        reader_.read(i + 1, end, from, true);  // "pillows from all armchairs you must bring ..."
     if (done == i + 1 || from.person || from.unknown) break;
     phrases.front().at.push_back(from);
     i = done;

@@ -62,8 +62,9 @@ std::string FrameActions::heat(const Clause& clause, bool boil) {
     // what is in a vessel is heated with it
     for (Symbol& object : objects)
       if (const Symbol in = resolver_.place_of(object, now_);
-          in != kNone && (resolver_.is_vessel(in) || (at_home_ && !start_.has(Relation::kIn, object, in) &&
-                                                      resolver_.class_of(in) != nullptr && resolver_.class_of(in)->dish)))
+          in != kNone &&
+          (resolver_.is_vessel(in) || (at_home_ && !start_.has(Relation::kIn, object, in) &&
+                                       resolver_.class_of(in) != nullptr && resolver_.class_of(in)->dish)))
         object = in;
   }
   for (const Symbol object : objects) {

@@ -1,5 +1,5 @@
-// What is said in between of a thing that is known already ("the salt, which should never have been there, ..."), and
-// wishes that name the thing first ("a glass of water would do").
+// What is said in between of a thing that is known already ("the salt, which should never have been there,
+// ..."), and wishes that name the thing first ("a glass of water would do").
 #include <algorithm>
 #include <array>
 
@@ -28,7 +28,8 @@ void drop_relative_parts(std::vector<std::string>& words, const Language& langua
   static constexpr std::array kDenies = {"not"sv, "never"sv, "should"sv, "shouldnt"sv, "isnt"sv, "doesnt"sv};
   static constexpr std::array kIs = {"is"sv, "are"sv, "stands"sv, "lies"sv, "sits"sv};
   for (std::size_t i = 1; i + 2 < words.size(); ++i) {
-    if (words[i] != "," || words[i + 1] != "which" || language.names_thing(words[i + 2]) || words[i + 2] == "one")
+    if (words[i] != "," || words[i + 1] != "which" || language.names_thing(words[i + 2]) ||
+        words[i + 2] == "one")
       continue;  // "..., which book is it?"
     std::size_t end = i + 2;
     bool denies = false, channel = false;
@@ -38,7 +39,8 @@ void drop_relative_parts(std::vector<std::string>& words, const Language& langua
     }
     if (channel) continue;  // "the news, which is on channel five, ..." says what to turn to
     // "the pillow, which is on the shelf, ..." says which one
-    const bool places = !denies && one_of(words[i + 2], kIs) && i + 3 < end && place_preposition(words[i + 3]);
+    const bool places =
+        !denies && one_of(words[i + 2], kIs) && i + 3 < end && place_preposition(words[i + 3]);
     const bool goes_on = end + 1 < words.size() && words[end] == "," &&
                          (language.copula(words[end + 1]) || one_of(words[end + 1], kDesire) ||
                           words[end + 1] == "has" || words[end + 1] == "needs" || words[end + 1] == "can");
@@ -57,13 +59,16 @@ void last_requests(std::vector<std::string>& words, const Language& language) {
   for (std::size_t i = 0; i + 3 < words.size(); ++i) {
     if (words[i] != "thing" || i == 0 || !one_of(words[i - 1], kMore)) continue;
     std::size_t begin = i - 1, at = i + 1;
-    while (begin > 0 && (words[begin - 1] == "one" || words[begin - 1] == "just" || words[begin - 1] == "another"))
+    while (begin > 0 &&
+           (words[begin - 1] == "one" || words[begin - 1] == "just" || words[begin - 1] == "another"))
       --begin;
     while (at < words.size() && ends_part(words, at)) ++at;
-    if (at == i + 1 || at >= words.size() || !(one_of(words[at], kArticles) || one_of(words[at], kPointers))) continue;
+    if (at == i + 1 || at >= words.size() || !(one_of(words[at], kArticles) || one_of(words[at], kPointers)))
+      continue;
     bool says = false;
     for (std::size_t k = at; !ends_part(words, k); ++k)
-      says = says || language.copula(words[k]) || one_of(words[k], kDesire) || words[k] == "can" || words[k] == "'s";
+      says = says || language.copula(words[k]) || one_of(words[k], kDesire) || words[k] == "can" ||
+             words[k] == "'s";
     erase(words, begin, at);
     if (!says) words.insert(words.begin() + static_cast<long>(begin), "wish");
   }
@@ -72,14 +77,16 @@ void last_requests(std::vector<std::string>& words, const Language& language) {
 void wishes_first(std::vector<std::string>& words) {
   static constexpr std::array kWould = {"would"sv, "will"sv, "wil"sv};
   static constexpr std::array kDoes = {"do"sv, "suffice"sv};
-  static constexpr std::array kBegins = {"a"sv, "an"sv, "some"sv, "just"sv, "only"sv, "maybe"sv, "perhaps"sv, "one"sv,
-                                         "two"sv};
+  static constexpr std::array kBegins = {"a"sv,     "an"sv,      "some"sv, "just"sv, "only"sv,
+                                         "maybe"sv, "perhaps"sv, "one"sv,  "two"sv};
   static constexpr std::array kBehind = {"nicely"sv, "fine"sv, "me"sv, "please"sv, "for"sv, "it"sv};
   const bool asks = std::any_of(words.begin(), words.end(), [](const std::string& word) {
-    return word == "want" || word == "need" || word == "wish" || word == "like" || word == "bring" || word == "get";
+    return word == "want" || word == "need" || word == "wish" || word == "like" || word == "bring" ||
+           word == "get";
   });
   for (std::size_t i = 2; i + 1 < words.size() && !asks; ++i) {
-    const bool enough = (words[i] == "is" || words[i] == "are") && (words[i + 1] == "plenty" || words[i + 1] == "enough");
+    const bool enough =
+        (words[i] == "is" || words[i] == "are") && (words[i + 1] == "plenty" || words[i + 1] == "enough");
     if (!enough && (!one_of(words[i], kWould) || !one_of(words[i + 1], kDoes))) continue;
     std::size_t end = i + 2, begin = i;
     while (!ends_part(words, end) && one_of(words[end], kBehind)) ++end;

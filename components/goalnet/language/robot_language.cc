@@ -83,10 +83,15 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   const FrameReader reader(*lexicon_, *language_, symbols_, true);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
   // What cannot be done is no background: the rest is not done without it.
-  for (const SentencePart& part : parts(tokens)) {
+  const std::vector<SentencePart> all = parts(tokens);
+  for (const SentencePart& part : all) {
     if (!asks_for_unknown(tokens, part)) continue;
-    if (reading.understanding.complete)
-      reading.understanding.problems = {language_->unknown_word(tokens[part.end - 1])};
+    if (reading.understanding.complete || all.size() > 1) {
+      std::string said;
+      for (std::size_t i = part.begin; i < part.end; ++i) said += (said.empty() ? "" : " ") + tokens[i];
+      reading.understanding.problems = {"\"" + said + "\" cannot be done here, so nothing of it is begun; " +
+                                        language_->unknown_word(tokens[part.end - 1])};
+    }
     reading.understanding.complete = false;
     return reading;
   }

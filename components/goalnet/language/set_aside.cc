@@ -72,11 +72,12 @@ bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, con
   // "iron my shirt": a noun before a determiner is a verb
   const bool slip = language_->may_be_a_slip(verb) && !language_->corrections(verb).empty();
   std::size_t object = head + 1;  // "sing us a song", "knit me a jumper"
-  while (object + 1 < part.end && one_of(tokens[object], kPersons) && one_of(tokens[object + 1], kSome)) ++object;
+  while (object + 1 < part.end && one_of(tokens[object], kPersons) && one_of(tokens[object + 1], kSome))
+    ++object;
   // "jarvis my friend" is no order
-  const bool to_somebody = one_of(tokens[part.end - 1], kCourtesy) ||
-                           (object < part.end && one_of(tokens[object], kPossessives) &&
-                            language_->person(tokens[part.end - 1]));
+  const bool to_somebody =
+      one_of(tokens[part.end - 1], kCourtesy) ||
+      (object < part.end && one_of(tokens[object], kPossessives) && language_->person(tokens[part.end - 1]));
   const bool sound = verb.find_first_of("aeiouy") == std::string::npos;  // "shhh the baby is asleep"
   const bool noun = !slip && !sound && !to_somebody && !language_->known(verb) && head + 1 < part.end;
   // whether the part ends with a thing that nobody here has
@@ -86,13 +87,14 @@ bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, con
                           (language_->real_word(tokens[last]) || !language_->kind_of(tokens[last]).empty());
   if (!plain || one_of(verb, kCourtesy) || one_of(verb, kTurnsRequest)) return false;
   // "clean my car"; but "take a break", "hold the line" say nothing of things
-  static constexpr std::array kDone = {Frame::kWash, Frame::kHeat, Frame::kBoil,   Frame::kOpen, Frame::kClose,
-                                       Frame::kFill, Frame::kPour, Frame::kEmpty,  Frame::kAdd,  Frame::kScoop,
-                                       Frame::kTurn, Frame::kStop, Frame::kInsert, Frame::kSwap, Frame::kDiscard};
+  static constexpr std::array kDone = {Frame::kWash,   Frame::kHeat,  Frame::kBoil,   Frame::kOpen,
+                                       Frame::kClose,  Frame::kFill,  Frame::kPour,   Frame::kEmpty,
+                                       Frame::kAdd,    Frame::kScoop, Frame::kTurn,   Frame::kStop,
+                                       Frame::kInsert, Frame::kSwap,  Frame::kDiscard};
   if (const Frame frame = language_->verb(verb); frame != Frame::kNone)
     return of_unknown && std::find(kDone.begin(), kDone.end(), frame) != kDone.end();
   // that are nouns more often
-  static constexpr std::array kVerbsToo = {"order"sv, "phone"sv, "mail"sv, "email"sv, "text"sv, "post"sv,
+  static constexpr std::array kVerbsToo = {"order"sv, "phone"sv, "mail"sv, "email"sv,  "text"sv,  "post"sv,
                                            "iron"sv,  "dust"sv,  "mop"sv,  "hoover"sv, "paint"sv, "hammer"sv};
   if (!language_->english_verb(verb) && !noun && !one_of(verb, kVerbsToo)) return false;
   // "order a pizza" is no way of putting one, "iron my shirt" no way of pressing a button; "share the good

@@ -214,7 +214,8 @@ void speak_for_others(std::vector<std::string>& text, const Language& language) 
       }
     }
     // "my wife says the plates belong in the sink": what they say counts
-    static constexpr std::array kTells = {"says"sv, "said"sv, "thinks"sv, "reckons"sv, "insists"sv, "believes"sv};
+    static constexpr std::array kTells = {"says"sv,    "said"sv,    "thinks"sv,
+                                          "reckons"sv, "insists"sv, "believes"sv};
     static constexpr std::array kOught = {"should"sv, "belong"sv, "belongs"sv, "must"sv, "go"sv,
                                           "goes"sv,   "needs"sv,  "need"sv,    "has"sv,  "ought"sv};
     if (language.hears_people() && next + 2 < text.size() && one_of(text[next], kTells)) {

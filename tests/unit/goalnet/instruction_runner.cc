@@ -1,5 +1,6 @@
 #include "tests/unit/goalnet/instruction_runner.h"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -100,6 +101,25 @@ WorldState InstructionRunner::room(const std::string& name, const std::string& c
         world.facts.erase(old);
     world.facts.insert(fact);
   }
+  return world;
+}
+
+WorldState InstructionRunner::furnished(const WorldState& recorded) const {
+  const auto has = [](const WorldState& world, const std::string& object) {
+    return std::find(world.objects.begin(), world.objects.end(), object) != world.objects.end();
+  };
+  WorldState room;
+  std::ptrdiff_t most = 0;
+  for (const auto& [name, other] : rooms_) {
+    const auto common = std::count_if(other.objects.begin(), other.objects.end(),
+                                      [&](const std::string& object) { return has(recorded, object); });
+    if (common > most) most = common, room = other;
+  }
+  WorldState world = recorded;
+  for (const Predicate& fact : room.facts)
+    if (!has(recorded, fact.subject)) world.facts.insert(fact);
+  for (const std::string& object : room.objects)
+    if (!has(recorded, object)) world.objects.push_back(object);
   return world;
 }
 

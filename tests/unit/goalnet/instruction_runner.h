@@ -31,6 +31,10 @@ class InstructionRunner {
   // nowhere.
   WorldState room(const std::string& name, const std::string& changes) const;
 
+  // A recorded world with all that stands in the room, where it stands: recordings list only what their facts
+  // speak of.
+  WorldState furnished(const WorldState& recorded) const;
+
   struct Run {
     bool refused = false;
     std::string message;    // why refused, or which step found no plan

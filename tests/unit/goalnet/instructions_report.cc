@@ -107,28 +107,6 @@ struct Recorded {
   std::string message, changes;  // of the last refusal; of the last world where it was not refused
 };
 
-// Recorded worlds list only what their facts speak of; a robot's world has all that stands in the room, where
-// it stands.
-WorldState furnished(const InstructionRunner& runner, const WorldState& recorded) {
-  const auto has = [](const WorldState& world, const std::string& object) {
-    return std::find(world.objects.begin(), world.objects.end(), object) != world.objects.end();
-  };
-  WorldState room;
-  std::ptrdiff_t most = 0;
-  for (const char* name : {"kitchen", "living_room"}) {
-    WorldState other = runner.room(name, "");
-    const auto common = std::count_if(other.objects.begin(), other.objects.end(),
-                                      [&](const std::string& object) { return has(recorded, object); });
-    if (common > most) most = common, room = std::move(other);
-  }
-  WorldState world = recorded;
-  for (const Predicate& fact : room.facts)
-    if (!has(recorded, fact.subject)) world.facts.insert(fact);
-  for (const std::string& object : room.objects)
-    if (!has(recorded, object)) world.objects.push_back(object);
-  return world;
-}
-
 void report_recorded(InstructionRunner& runner, const std::string& folder, bool all) {
   const auto demonstrations = read_demonstrations(folder);
   if (!demonstrations) throw std::runtime_error(demonstrations.error().message);
@@ -136,7 +114,7 @@ void report_recorded(InstructionRunner& runner, const std::string& folder, bool 
   for (const Demonstration& shown : *demonstrations) {
     if (shown.perturbed) continue;
     Recorded& sentence = sentences[shown.sentence];
-    const WorldState world = furnished(runner, shown.states.front());
+    const WorldState world = runner.furnished(shown.states.front());
     const auto run = runner.follow(world, shown.sentence);
     ++sentence.said;
     if (run.refused) {
