@@ -50,6 +50,8 @@ void add_static_peers(const std::string& peers, rtps::LocatorList_t& list) {
     if (host.empty()) continue;
     const auto addresses = rtps::IPLocator::resolveNameDNS(host);
     for (const auto& address : addresses.first) list.push_back(udp_locator(address, 0));
+    if (addresses.first.empty())
+      Logger("ros_graph").warn("ROS_STATIC_PEERS: '{}' cannot be looked up and is left out", host);
   }
 }
 

@@ -291,6 +291,10 @@ TEST(Settings, FirstAnnouncements) {
   using testing::ElementsAre;
   EXPECT_THAT(peers(Range::kSubnet, ""), testing::IsEmpty()) << "Fast DDS's default";
   EXPECT_THAT(peers(Range::kSubnet, "10.0.0.1"), ElementsAre("239.255.0.1:9150", "10.0.0.1:0"));
+  testing::internal::CaptureStderr();
+  EXPECT_THAT(peers(Range::kSubnet, "nobody.invalid;10.0.0.1"),
+              ElementsAre("239.255.0.1:9150", "10.0.0.1:0"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("'nobody.invalid' cannot be looked up"));
   EXPECT_THAT(peers(Range::kLocalhost, "10.0.0.1"), ElementsAre("127.0.0.1:0", "10.0.0.1:0"));
   EXPECT_THAT(peers(Range::kLoopback, ""), ElementsAre("239.255.0.1:9150", "127.0.0.1:0"));
 }
