@@ -79,6 +79,9 @@ class CollisionChecker {
   // along is left out.
   bool hand_collides(const std::vector<double>& q, std::size_t arm, const Pose& tool, double margin,
                      const Tolerances& tolerances) const;
+  // What it would be too near to, for messages; empty: nothing.
+  std::string hand_obstacle(const std::vector<double>& q, std::size_t arm, const Pose& tool, double margin,
+                            const Tolerances& tolerances) const;
   // Whether an object at a pose would be nearer than `margin` to any other body; those named are ignored.
   bool object_fits(const std::string& object, const Pose& pose, double margin,
                    const std::vector<std::string>& ignored) const;

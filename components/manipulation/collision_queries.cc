@@ -101,8 +101,8 @@ Tolerances CollisionChecker::baseline(const std::vector<double>& q, const Collis
   return out;
 }
 
-bool CollisionChecker::hand_collides(const std::vector<double>& q, std::size_t arm, const Pose& tool,
-                                     double margin, const Tolerances& tolerances) const {
+std::string CollisionChecker::hand_obstacle(const std::vector<double>& q, std::size_t arm, const Pose& tool,
+                                            double margin, const Tolerances& tolerances) const {
   place_robot(q);
   const Pose to_tool = tool * link_poses_[static_cast<std::size_t>(tool_links_[arm])].inverse();
   for (const int part : hand_parts_[arm]) {
@@ -116,10 +116,16 @@ bool CollisionChecker::hand_collides(const std::vector<double>& q, std::size_t a
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       if (!bodies_[b].counts() || bodies_[b].riding) continue;
       const double limit = tolerances.limit(part, static_cast<int>(b), margin);
-      if (limit != Tolerances::kAnyDepth && nearer_than(shape, bodies_[b].shape, limit)) return true;
+      if (limit != Tolerances::kAnyDepth && nearer_than(shape, bodies_[b].shape, limit))
+        return bodies_[b].name;
     }
   }
-  return false;
+  return "";
+}
+
+bool CollisionChecker::hand_collides(const std::vector<double>& q, std::size_t arm, const Pose& tool,
+                                     double margin, const Tolerances& tolerances) const {
+  return !hand_obstacle(q, arm, tool, margin, tolerances).empty();
 }
 
 bool CollisionChecker::object_fits(const std::string& object, const Pose& pose, double margin,

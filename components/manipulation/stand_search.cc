@@ -1,8 +1,11 @@
 #include "components/manipulation/stand_search.h"
 
+#include "components/manipulation/stand_candidates.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace goalnet::manipulation {
@@ -14,87 +17,6 @@ constexpr double kGap = 0.05;  // [m] wanted between the robot's trunk and furni
 
 // A way that worked from none of so many stands makes room for others: it may be impossible from anywhere.
 constexpr int kMostFailures = 60;
-
-struct Candidate {
-  Stand stand;
-  double cost = 0;
-  bool drives = true;
-  bool in_the_way = false;  // found out that something is
-};
-
-double wrap(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
-
-std::vector<Candidate> candidates(const Workbench& bench, const std::vector<Reach>& reaches,
-                                  const StandSearchOptions& options) {
-  const Stand here = bench.stand_of(bench.now());
-  const auto& model = bench.model();
-  double lift_low = 0, lift_high = 0;
-  if (!model.lift.empty()) {
-    const auto& limits = model.joints[static_cast<std::size_t>(model.index_of(model.lift))].limits;
-    lift_low = limits.lower + 0.005;
-    lift_high = limits.upper - 0.005;
-  }
-  std::vector<Candidate> out;
-  const auto add = [&](const Stand& stand, double cost, bool drives) {
-    out.push_back({stand, cost, drives, false});
-  };
-  std::vector<double> lifts{here.lift};
-  for (const double share : {0.95, 0.7, 0.45, 0.2, 0.0})
-    lifts.push_back(lift_low + share * (lift_high - lift_low));
-  if (!options.may_lift) lifts.resize(1);
-  for (const double lift : lifts) {
-    Stand stand = here;
-    stand.lift = std::clamp(lift, lift_low, lift_high);
-    add(stand, std::abs(lift - here.lift) / 0.3, false);
-  }
-  if (!options.may_drive) return out;
-  // Where the target should be seen from the base: ahead, and on the side of the arm.
-  struct Target {
-    Eigen::Vector3d point;
-    double side;
-    double preference;
-  };
-  std::vector<Target> targets;
-  for (const auto& reach : reaches) {
-    const double side = bench.shoulder_side(reach.arm);
-    const Eigen::Vector3d point = reach.tool.back().translation();
-    const bool known = std::any_of(targets.begin(), targets.end(), [&](const Target& t) {
-      return t.side == side && (t.point - point).norm() < 0.12;
-    });
-    if (!known && targets.size() < 6) targets.push_back({point, side, reach.preference});
-  }
-  for (const auto& target : targets) {
-    for (int turn = 0; turn < 24; ++turn) {
-      const double yaw = here.yaw + wrap(turn * std::numbers::pi / 12 - here.yaw);
-      const Eigen::Rotation2Dd rotation(yaw);
-      for (const double ahead : {0.62, 0.70, 0.54, 0.78, 0.86, 0.47, 0.95, 1.04}) {
-        for (const double across : {0.2, 0.05, 0.35, -0.1, 0.5, -0.25, 0.65}) {
-          const double y = target.side > 0 ? across : -across;
-          const Eigen::Vector2d at = target.point.head<2>() - rotation * Eigen::Vector2d(ahead, y);
-          const auto& scene = bench.scene();
-          if (at.x() < scene.floor_x_min + 0.25 || at.x() > scene.floor_x_max - 0.2 ||
-              at.y() < scene.floor_y_min + 0.2 || at.y() > scene.floor_y_max - 0.2) {
-            continue;
-          }
-          const double way =
-              std::hypot(at.x() - here.x, at.y() - here.y) / 0.8 + std::abs(yaw - here.yaw) / 1.6;
-          const double comfort = 2.0 * std::abs(ahead - 0.64) + 1.5 * std::abs(across - 0.2);
-          // Above the target the forearm points down a little: comfortable for both hand and eye.
-          const double best = std::clamp(target.point.z() + 0.2 - 0.80, lift_low, lift_high);
-          for (const double offset : {0.0, 0.15, -0.15}) {
-            const double lift = std::clamp(best + offset, lift_low, lift_high);
-            if (offset != 0.0 && std::abs(lift - best) < 0.05) continue;
-            add({at.x(), at.y(), yaw, lift}, 1.5 + way + comfort + target.preference + 2 * std::abs(offset),
-                true);
-          }
-        }
-      }
-    }
-  }
-  std::stable_sort(out.begin(), out.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-  return out;
-}
 
 class Search {
  public:
@@ -120,14 +42,16 @@ class Search {
 
   // Tries the reaches of places [from, to) among those within arm's length. From the cheapest question to the
   // dearest: lengths, room for the hand, the robot's own room, inverse kinematics, collisions along the way.
-  std::optional<ReachSolution> try_stand(Candidate& candidate, std::size_t from, std::size_t to) {
+  std::optional<ReachSolution> try_stand(StandCandidate& candidate, std::size_t from, std::size_t to) {
     if (candidate.in_the_way) return std::nullopt;
     const Configuration q = bench_.with_stand(candidate.drives ? driving_ : bench_.now(), candidate.stand);
     const std::vector<std::size_t> chosen = options_.stand_only ? order_ : within_length(q, from, to);
     if (chosen.empty()) return std::nullopt;
+    within_reach_ = true;
     bench_.checker().ignore_riding(candidate.drives);
     candidate.in_the_way = candidate.drives && has_no_room(q, candidate.stand);
     if (candidate.in_the_way) return std::nullopt;
+    has_room_ = true;
     const std::vector<bool> blocked = blocked_by_lifting(q, candidate);
     for (const std::size_t index : chosen) {
       if (tries_ >= most_tries_) break;
@@ -146,6 +70,35 @@ class Search {
       ++failures_[index];
     }
     return std::nullopt;
+  }
+
+  // Why no stand will do, for people.
+  std::string reason() const {
+    if (!within_reach_) return "it is beyond the arms' reach from everywhere the robot could stand";
+    if (!has_room_) return "the robot has no room to stand where it could be reached";
+    return "no place to stand from which a hand reaches it without touching something";
+  }
+  // The same where no hand has room: what is too near.
+  std::string crowd() const {
+    std::map<std::string, int> counts;
+    for (const Reach& reach : reaches_) {
+      const Configuration q = bench_.with_fingers(bench_.now(), reach.arm, reach.opening);
+      for (std::size_t i = 0; i < reach.tool.size(); ++i) {
+        const double margin = i == 0 ? bench_.params().margin : bench_.params().contact_margin;
+        const auto name = bench_.checker().hand_obstacle(q, reach.arm, reach.tool[i], margin,
+                                                         i == 0 ? Tolerances() : reach.tolerances);
+        if (name.empty()) continue;
+        ++counts[name];
+        break;
+      }
+    }
+    std::vector<std::pair<int, std::string>> most;
+    for (const auto& [name, count] : counts) most.emplace_back(-count, name);
+    std::sort(most.begin(), most.end());
+    std::string text = "there is no room for the hand and what it holds";
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, most.size()); ++i)
+      text += (i == 0 ? ": too near to " : " and ") + most[i].second;
+    return text;
   }
 
   bool exhausted() const { return tries_ >= most_tries_; }
@@ -184,7 +137,7 @@ class Search {
   }
 
   // Raising the lift takes the other arms along: those that would touch something.
-  std::vector<bool> blocked_by_lifting(const Configuration& q, const Candidate& candidate) const {
+  std::vector<bool> blocked_by_lifting(const Configuration& q, const StandCandidate& candidate) const {
     std::vector<bool> blocked(bench_.arm_count(), false);
     const bool lifts = std::abs(candidate.stand.lift - bench_.stand_of(bench_.now()).lift) > 1e-4;
     for (std::size_t arm = 0; arm < blocked.size() && lifts && !candidate.drives; ++arm) {
@@ -262,6 +215,7 @@ class Search {
   std::vector<int> failures_;                   // by reach: stands from which it did not work
   std::vector<std::optional<bool>> hand_fits_;  // by reach; empty: not looked at yet
   std::size_t tries_ = 0;
+  bool within_reach_ = false, has_room_ = false;  // from or at any stand
 };
 
 Expected<ReachSolution> search_stand(Workbench& bench, const std::vector<Reach>& reaches,
@@ -271,7 +225,7 @@ Expected<ReachSolution> search_stand(Workbench& bench, const std::vector<Reach>&
   Search search(bench, reaches, options);
   // First only the best ways everywhere: a better stand is found sooner than a contorted reach from this one.
   constexpr std::size_t kBest = 24;
-  auto stands = candidates(bench, reaches, options);
+  auto stands = stand_candidates(bench, reaches, options);
   const std::pair<std::size_t, std::size_t> passes[] = {{0, kBest}, {kBest, options.most_reaches}};
   bool pruned = false;
   for (const auto& [from, to] : passes) {
@@ -283,11 +237,10 @@ Expected<ReachSolution> search_stand(Workbench& bench, const std::vector<Reach>&
       bench.checker().ignore_riding(false);
       if (solution) return std::move(*solution);
       if (!std::exchange(pruned, true) && !search.any_hand_fits())
-        return fail(Outcome::kMotionFailed, "there is no room for the hand and what it holds");
+        return fail(Outcome::kMotionFailed, search.crowd());
     }
   }
-  return fail(Outcome::kMotionFailed,
-              "no place to stand from which a hand reaches it without touching something");
+  return fail(Outcome::kMotionFailed, search.reason());
 }
 
 }  // namespace
