@@ -16,15 +16,30 @@ constexpr int kRounds = 3;         // of coming out a little and looking again
 constexpr double kBack = std::numbers::pi;
 constexpr std::array kDirections{kBack,       kBack + 0.5, kBack - 0.5, kBack + 1.0,
                                  kBack - 1.0, kBack / 2,   -kBack / 2};
-constexpr std::array kSlides{0.45, 0.30, 0.20};  // [m]
-constexpr std::array kPulls{0.25, 0.15, 0.08};   // [m]
+constexpr std::array kSlides{0.45, 0.30, 0.20, 0.10};  // [m]
+constexpr std::array kPulls{0.25, 0.15, 0.08, 0.04};   // [m]
 
-// What a hand does to come out: along its own axis, towards the robot, up.
-std::vector<Pose> ways_out(const Workbench& bench, const Configuration& q, const Pose& tool,
-                           double distance) {
-  const double yaw = bench.stand_of(q).yaw;
-  const Eigen::Vector3d back(-std::cos(yaw), -std::sin(yaw), 0);
-  return {backed(tool, distance), moved(tool, distance * back), moved(tool, {0, 0, distance})};
+// Straight lines by which a hand comes out: along its own axis, towards the robot and askew, up; level, or
+// raised a little first.
+std::vector<std::vector<Pose>> ways_out(const Workbench& bench, const Configuration& q, const Pose& tool,
+                                        double distance) {
+  constexpr double kRaised = 0.025;  // [m]
+  const Pose raised = moved(tool, {0, 0, kRaised});
+  std::vector<std::vector<Pose>> ways{{backed(tool, distance)}};
+  const double yaw = bench.stand_of(q).yaw + std::numbers::pi;
+  for (const double askew : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+    const Eigen::Vector3d to = distance * Eigen::Vector3d(std::cos(yaw + askew), std::sin(yaw + askew), 0);
+    ways.push_back({moved(tool, to)});
+    ways.push_back({raised, moved(raised, to)});
+  }
+  ways.push_back({moved(tool, {0, 0, distance})});
+  return ways;
+}
+
+// What the hand is in touch with may be touched while it comes away.
+Tolerances touching(const Workbench& b, std::size_t arm) {
+  const CollisionQuery query{&b.checker().hand_parts(arm), 0.01, nullptr, true};
+  return b.checker().baseline(b.now(), query);
 }
 
 // The next way to come out that is free, as arms are.
@@ -34,12 +49,12 @@ Expected<JointTrajectory> come_out(Workbench& b, std::size_t arm) {
       if (auto motion = b.slide(direction, distance)) return motion;
     }
   }
-  const CollisionQuery query{&b.checker().hand_parts(arm), 0.01, nullptr, true};
-  const Tolerances touching = b.checker().baseline(b.now(), query);
   const Pose tool = b.tool_pose(b.now(), arm);
-  for (const double distance : kPulls) {
-    for (const Pose& out : ways_out(b, b.now(), tool, distance)) {
-      if (auto motion = b.move_straight(arm, {out}, touching, 0.8)) return motion;
+  for (const Tolerances& tolerances : {touching(b, arm), brushing(b, arm)}) {
+    for (const double distance : kPulls) {
+      for (const auto& way : ways_out(b, b.now(), tool, distance)) {
+        if (auto motion = b.move_straight(arm, way, tolerances, 0.8)) return motion;
+      }
     }
   }
   const Stand here = b.stand_of(b.now());
@@ -54,6 +69,16 @@ Expected<JointTrajectory> come_out(Workbench& b, std::size_t arm) {
 }
 
 }  // namespace
+
+Tolerances brushing(const Workbench& bench, std::size_t arm) {
+  constexpr double kBeside = 0.006;  // [m]
+  const PartSet& parts = bench.checker().hand_parts(arm);
+  Tolerances out = touching(bench, arm);
+  for (const std::string& name :
+       bench.checker().touched_objects(bench.now(), {&parts, kBeside, nullptr, false}))
+    out.allow_all(parts, bench.checker().body(name));
+  return out;
+}
 
 void add_tuck(Phases& phases, const Workbench& bench) {
   for (std::size_t arm = 0; arm < bench.arm_count(); ++arm) {
@@ -89,8 +114,8 @@ bool gets_out(Workbench& bench, const std::string& object, const Configuration& 
   const auto& checker = bench.checker();
   const Configuration q = bench.with_fingers(start, reach.arm, reach.width);
   CollisionQuery query{&checker.arm_parts(reach.arm), bench.params().contact_margin, &reach.tolerances, true};
-  const Tolerances touching = checker.baseline(bench.with_arm(q, reach.arm, along[at]), query);
-  query.tolerances = &touching;
+  const Tolerances in_touch = checker.baseline(bench.with_arm(q, reach.arm, along[at]), query);
+  query.tolerances = &in_touch;
   bool out = true;
   for (std::size_t i = at + 1; i < along.size() && out; ++i)
     out = !checker.collides(bench.with_arm(q, reach.arm, along[i]), query);
@@ -101,8 +126,8 @@ bool gets_out(Workbench& bench, const std::string& object, const Configuration& 
     return false;
   };
   const auto pulls = [&] {
-    for (const Pose& to : ways_out(bench, lifted, reach.tool.back(), kPulls[0]))
-      if (bench.follow(lifted, reach.arm, along.back(), {to}, touching, bench.params().contact_margin))
+    for (const auto& way : ways_out(bench, lifted, reach.tool.back(), kPulls[0]))
+      if (bench.follow(lifted, reach.arm, along.back(), way, in_touch, bench.params().contact_margin))
         return true;
     return false;
   };

@@ -1,14 +1,9 @@
-// grasp, and the way there.
-#include <cmath>
-
-#include "components/manipulation/place_candidates.h"
+// grasp.
 #include "components/manipulation/retreat.h"
 #include "components/manipulation/skills.h"
 
 namespace goalnet::manipulation {
 namespace {
-
-constexpr int kMostStands = 3;
 
 // What the phases of one attempt tell each other.
 struct GraspState {
@@ -95,6 +90,11 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
   };
   phases.push_back(close);
   Phase lift = straight("lift", arm, {reach.tool.begin() + 2, reach.tool.end()}, reach.tolerances, 0.6);
+  lift.plan = [plan = lift.plan, arm, up = std::vector<Pose>{reach.tool.begin() + 2, reach.tool.end()}](
+                  Workbench& b) -> Expected<JointTrajectory> {
+    auto motion = plan(b);
+    return motion ? motion : b.move_straight(arm, up, brushing(b, arm), 0.4);
+  };
   lift.settle = 0.1;
   lift.check = [=](Workbench& b) -> Expected<void> {
     const Pose* now = b.world().object(object);
@@ -107,114 +107,6 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
     return {};
   };
   phases.push_back(lift);
-  return phases;
-}
-
-namespace {
-
-// Whether a robot that stands there is near a fixture and has what it goes to before itself, a little more
-// strictly than the world model judges (0.95 m, 1.4 rad): within an arm's reach is not enough. `point`: of a
-// burner or a knob, which are judged by their own direction; empty: the nearest point of the fixture counts.
-bool stands_before(const Stand& stand, const scene::Fixture& fixture,
-                   const std::optional<Eigen::Vector3d>& point) {
-  const scene::Bounds bounds = scene::bounds(fixture.shapes);
-  const Eigen::Vector3d here(stand.x, stand.y, 0.0);
-  Eigen::Vector3d nearest = fixture.pose.inverse() * here;
-  nearest = nearest.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-  const Eigen::Vector3d there = fixture.pose * nearest - here, ahead = point ? *point - here : there;
-  const double bearing = std::remainder(std::atan2(ahead.y(), ahead.x()) - stand.yaw, 2 * M_PI);
-  return std::hypot(there.x(), there.y()) < 0.93 && std::abs(bearing) < 1.35;
-}
-
-// The point of a place within a fixture by which the world model judges whether it lies ahead.
-std::optional<Eigen::Vector3d> point_of(const scene::Scene& scene, const std::string& place) {
-  if (scene.find_fixture(place) != nullptr) return std::nullopt;
-  if (const auto* region = scene.find_region(place); region != nullptr && !region->supports.empty())
-    return support_pose(scene, *region, region->supports.front()).translation();
-  if (const auto ref = scene.find_part(place)) {
-    const auto at_rest = [](const std::string&) { return 0.0; };
-    return scene::part_pose(*ref.fixture, *ref.part, at_rest).translation();
-  }
-  return std::nullopt;
-}
-
-// Something for each arm to come near to, without a way to get there.
-std::vector<Reach> pointing_at(const Workbench& bench, const Pose& object) {
-  std::vector<Reach> out(bench.arm_count());
-  for (std::size_t arm = 0; arm < out.size(); ++arm) {
-    out[arm].arm = arm;
-    out[arm].tool = {object};
-  }
-  return out;
-}
-
-}  // namespace
-
-Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
-  // Stands that could not be got to are known by now and left out.
-  if (number >= kMostStands)
-    return fail(Outcome::kMotionFailed, "moveto " + object_ + ": no other way to get there");
-  if (bench.arm_holding(object_)) return Phases{};
-  struct Wish {
-    std::vector<Reach> reaches;
-    bool stand_only = false;
-    // Empty: to stand before the furniture.
-    std::function<bool(const Configuration&, const Reach&, const std::vector<ArmPositions>&)> accept = {};
-  };
-  std::vector<Wish> wishes;  // best first
-  bool full = true;          // no hand could reach for anything: to stand there is enough
-  for (const auto& held : bench.held()) full = full && held.has_value();
-  const Pose* pose = bench.world().object(object_);
-  std::string place = object_;
-  if (pose != nullptr) {
-    // To be near means to have it before oneself, not just in reach from the side.
-    const auto before_it = [&bench, at = pose->translation()](const Configuration& q, const Reach&,
-                                                              const auto&) {
-      const Stand stand = bench.stand_of(q);
-      const double dx = at.x() - stand.x, dy = at.y() - stand.y;
-      return std::hypot(dx, dy) < 0.95 &&
-             std::abs(std::remainder(std::atan2(dy, dx) - stand.yaw, 2 * M_PI)) < 0.7;
-    };
-    const auto gets_it = [&, before_it](const Configuration& q, const Reach& reach,
-                                        const std::vector<ArmPositions>& along) {
-      return before_it(q, reach, along) && gets_out(bench, object_, q, reach, along);
-    };
-    if (!full) wishes.push_back({grasp_reaches(bench, object_), false, gets_it});
-    if (!full) wishes.push_back({grasp_reaches(bench, object_), false, before_it});
-    const auto* region = region_around(bench, *pose);
-    // What no hand can take now (it has fallen over) can be gone to all the same.
-    if (full || region == nullptr || is_worktop(*region))
-      wishes.push_back({pointing_at(bench, *pose), true, before_it});
-    if (region != nullptr) place = region->fixture;
-  } else if (const auto ref = bench.scene().find_part(object_);
-             !full && ref && ref.part->use != scene::PartUse::kDoor) {
-    wishes.push_back(
-        {ref.part->use == scene::PartUse::kButton ? press_reaches(bench, ref) : part_reaches(bench, ref)});
-    place = ref.fixture->name;
-  }
-  Expected<ReachSolution> solution = fail(Outcome::kMotionFailed, "nothing to go to");
-  if (pose != nullptr && bench.checker().rides(object_)) return Phases{};
-  const scene::Region* region = bench.scene().find_region(place);
-  const scene::Fixture* fixture = bench.scene().find_fixture(region != nullptr ? region->fixture : place);
-  const auto point = point_of(bench.scene(), object_);
-  const auto before_fixture = [&bench, fixture, point](const Configuration& q, const Reach&, const auto&) {
-    return stands_before(bench.stand_of(q), *fixture, point);
-  };
-  // The last wish is to stand before the furniture.
-  wishes.push_back({front_reaches(bench, place), full});
-  for (auto& wish : wishes) {
-    if (wish.reaches.empty()) continue;
-    StandSearchOptions options;
-    options.stand_only = wish.stand_only;
-    options.accept = std::move(wish.accept);
-    if (!options.accept && fixture != nullptr) options.accept = before_fixture;
-    solution = find_stand(bench, wish.reaches, options);
-    if (solution || solution.error().outcome == Outcome::kCancelled) break;
-  }
-  if (!solution) return fail(solution.error().outcome, "moveto " + object_ + ": " + solution.error().message);
-  Phases phases;
-  add_back_off(phases, bench);
-  add_go_to(phases, bench, *solution);
   return phases;
 }
 

@@ -80,7 +80,7 @@ Expected<JointTrajectory> Workbench::drive(const Stand& goal, int iterations) {
 namespace {
 
 constexpr double kSlideStep = 0.02;   // [m] between looks
-constexpr double kPassing = 0.008;    // [m] kept by the hands from what they pass, if they have that now
+constexpr double kPassing = 0.004;    // [m] kept by the hands from what they pass, if they have that now
 constexpr double kBesideBase = 0.02;  // [m] the same for the base
 
 Stand moved(Stand stand, double direction, double distance) {
