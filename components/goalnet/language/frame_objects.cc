@@ -51,7 +51,21 @@ FrameActions::Objects FrameActions::pronoun(const NounPhrase& phrase, Sort sort,
 }
 
 FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort sort, const Clause& clause) {
-  if (phrase.pronoun) return pronoun(phrase, sort, {});
+  if (phrase.pronoun) {
+    Objects meant = pronoun(phrase, sort, {});
+    // "remove it from the microwave": what is there, where nothing was spoken of
+    for (const NounPhrase& source : clause.phrases) {
+      const bool it_or_them = phrase.count == 0 && !phrase.all;
+      if (!at_home_ || !it_or_them || !meant.empty() || source.role != Role::kSource || source.pronoun ||
+          source.bare())
+        continue;
+      Objects there;
+      for (const Symbol place : resolver_.options(source, Sort::kPlace, now_))
+        for (const Symbol thing : resolver_.things_at(place, now_)) there.push_back(thing);
+      if (there.size() == 1 || phrase.plural) meant = there;
+    }
+    return meant;
+  }
   if (phrase.bare() || phrase.unknown) return {};
   NounPhrase located = phrase;
   for (const NounPhrase& source : clause.phrases)
