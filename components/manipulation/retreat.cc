@@ -36,6 +36,27 @@ std::vector<std::vector<Pose>> ways_out(const Workbench& bench, const Configurat
   return ways;
 }
 
+// Where the base may get to round a corner with the arm as it is: back or aside, higher or lower, turned.
+std::vector<Stand> ways_round(const Stand& here) {
+  std::vector<Stand> stands;
+  for (const double up : {0.0, 0.12, -0.12}) {
+    for (const double direction : kDirections) {
+      for (const double distance : {0.40, 0.25}) {
+        stands.push_back(here);
+        stands.back().x += distance * std::cos(here.yaw + direction);
+        stands.back().y += distance * std::sin(here.yaw + direction);
+        stands.back().lift += up;
+      }
+    }
+    for (const double turn : {0.8, -0.8, 1.6, -1.6}) {
+      stands.push_back(here);
+      stands.back().yaw += turn;
+      stands.back().lift += up;
+    }
+  }
+  return stands;
+}
+
 // What the hand is in touch with may be touched while it comes away.
 Tolerances touching(const Workbench& b, std::size_t arm) {
   const CollisionQuery query{&b.checker().hand_parts(arm), 0.01, nullptr, true};
@@ -57,11 +78,13 @@ Expected<JointTrajectory> come_out(Workbench& b, std::size_t arm) {
       }
     }
   }
-  const Stand here = b.stand_of(b.now());
-  for (const double turn : {0.8, -0.8, 1.6, -1.6}) {
-    Stand turned = here;
-    turned.yaw += turn;
-    auto motion = b.drive(turned, kShortWay);
+  const int lift = b.model().lift.empty() ? -1 : b.model().index_of(b.model().lift);
+  for (const Stand& stand : ways_round(b.stand_of(b.now()))) {
+    if (lift >= 0) {
+      const auto& limits = b.model().joints[static_cast<std::size_t>(lift)].limits;
+      if (stand.lift < limits.lower || stand.lift > limits.upper) continue;
+    }
+    auto motion = b.drive(stand, kShortWay);
     if (motion || motion.error().outcome == Outcome::kCancelled) return motion;
   }
   return fail(Outcome::kMotionFailed,
