@@ -81,11 +81,17 @@ Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
   // Stands that could not be got to are known by now and left out.
   if (number >= kMostStands)
     return fail(Outcome::kMotionFailed, "moveto " + object_ + ": no other way to get there");
+  const std::string what = "moveto " + object_;
   if (const auto arm = bench.arm_holding(object_)) {
+    const Try here{what, 0, pose_of(bench.stand_of(bench.now()))};
     const auto& facts = bench.world().facts;
-    if (facts.empty() || facts.contains({"Grasping", "Robot", object_})) return Phases{};
-    // Seen from outside it is not held (it hangs at the edge of a pad): grasp will let go of it and take it
-    // anew.
+    const bool seen_held = facts.empty() || facts.contains({"Grasping", "Robot", object_});
+    if (seen_held || !bench.tried().contains(here)) {
+      bench.tried().add(here);
+      return Phases{};
+    }
+    // Asked for again, and seen from outside it is not held (it hangs at the edge of a pad): grasp will let
+    // go of it and take it anew.
     bench.set_held(*arm, std::nullopt);
   }
   struct Wish {
@@ -143,8 +149,9 @@ Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
          }});
   }
   wishes.push_back({front_reaches(bench, place), full});
+  // With something large in a hand there may be no room for the other one before it.
+  if (!full) wishes.push_back({front_reaches(bench, place), true});
   // Elsewhere than where it did not help to go.
-  const std::string what = "moveto " + object_;
   for (const bool anywhere : {false, true}) {
     for (const auto& wish : wishes) {
       if (wish.reaches.empty() || (anywhere && bench.tried().size() == 0)) continue;
