@@ -14,9 +14,9 @@
 
 namespace goalnet::inference {
 
-// A run so far: where it began, where it is, what was done (macro actions, see with_means).
+// A run so far: where it is, what was done (macro actions, see with_means).
 struct PartialRun {
-  SymState start, now;
+  SymState now;
   std::vector<SymAction> actions;
 };
 

@@ -6,8 +6,6 @@
 #include <set>
 #include <tuple>
 
-#include "components/goalnet/ranker/count_common.h"
-
 namespace goalnet::inference {
 namespace {
 
@@ -39,11 +37,12 @@ std::vector<std::uint32_t> layout_of(const Instruction& instruction, const SymSt
                      static_cast<std::uint32_t>(relation));
   }
   std::sort(layout.begin(), layout.end());
+  layout.erase(std::unique(layout.begin(), layout.end()), layout.end());
   return layout;
 }
 
-float overlap(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
-  const std::size_t common = count_common(a, b), all = a.size() + b.size() - common;
+float overlap(std::size_t common, std::size_t a, std::size_t b) {
+  const std::size_t all = a + b - common;
   return all == 0 ? 1.0f : static_cast<float>(common) / static_cast<float>(all);
 }
 
@@ -85,9 +84,11 @@ Neighbours::Neighbours(std::vector<Memory> memories) : memories_(std::move(memor
   for (const auto& [term, count] : documents)
     weight_[term] = std::log(n / (static_cast<float>(count) + 0.5f));
   unseen_weight_ = std::log(n / 0.5f);
-  for (const Memory& memory : memories_) {
-    vectors_.push_back(memory.terms);
-    weigh(vectors_.back());
+  for (std::uint32_t i = 0; i < memories_.size(); ++i) {
+    auto vector = memories_[i].terms;
+    weigh(vector);
+    for (const auto& [term, amount] : vector) by_term_[term].emplace_back(i, amount);
+    for (const std::uint32_t fact : memories_[i].layout) by_layout_[fact].push_back(i);
   }
 }
 
@@ -107,24 +108,19 @@ Neighbours::Nearest Neighbours::nearest(const Instruction& instruction, const Sy
   const auto layout = layout_of(instruction, state);
   auto query = terms_of(instruction, state);
   weigh(query);
+  std::vector<float> dot(memories_.size(), 0.0f);
+  for (const auto& [term, amount] : query)
+    if (const auto found = by_term_.find(term); found != by_term_.end())
+      for (const auto& [memory, its] : found->second) dot[memory] += amount * its;
+  std::vector<std::size_t> common(memories_.size(), 0);
+  for (const std::uint32_t fact : layout)
+    if (const auto found = by_layout_.find(fact); found != by_layout_.end())
+      for (const std::uint32_t memory : found->second) ++common[memory];
   std::vector<Neighbour> all;
   all.reserve(memories_.size());
   for (std::size_t i = 0; i < memories_.size(); ++i) {
     if (!without_scenario.empty() && memories_[i].scenario == without_scenario) continue;
-    float dot = 0;
-    const auto& row = vectors_[i];
-    auto a = query.begin();
-    auto b = row.begin();
-    while (a != query.end() && b != row.end()) {
-      if (a->first < b->first) {
-        ++a;
-      } else if (b->first < a->first) {
-        ++b;
-      } else {
-        dot += a++->second * b++->second;
-      }
-    }
-    all.push_back({&memories_[i], dot, overlap(layout, memories_[i].layout)});
+    all.push_back({&memories_[i], dot[i], overlap(common[i], layout.size(), memories_[i].layout.size())});
   }
   // Ties go to the earlier memory.
   const auto best = [&](auto value) {

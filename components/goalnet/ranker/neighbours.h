@@ -50,11 +50,14 @@ class Neighbours {
   const std::vector<Memory>& memories() const { return memories_; }
 
  private:
+  using Postings = std::vector<std::pair<std::uint32_t, float>>;  // memory, amount; by memory
+
   void weigh(std::vector<Term>& terms) const;
 
   std::vector<Memory> memories_;
-  std::vector<std::vector<Term>> vectors_;           // weighted and normalised, one for each memory
-  std::unordered_map<std::uint32_t, float> weight_;  // inverse document frequency
+  std::unordered_map<std::uint32_t, Postings> by_term_;                      // weighted and normalised
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_layout_;  // memories, by what stands where
+  std::unordered_map<std::uint32_t, float> weight_;                          // inverse document frequency
   float unseen_weight_ = 1;
 };
 

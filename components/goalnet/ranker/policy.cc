@@ -23,9 +23,14 @@ Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const
 
 Rollout::Rollout(const LogLinear& model, const Instruction& instruction, const Lexicon& lexicon,
                  const Places& places, const Hints& hints, const SymState& start)
-    : model_(model), instruction_(instruction), lexicon_(lexicon), places_(places), hints_(hints) {
+    : model_(model),
+      instruction_(instruction),
+      lexicon_(lexicon),
+      places_(places),
+      hints_(hints),
+      start_(start) {
   Node root;
-  root.run.start = root.run.now = start;
+  root.run.now = start;
   nodes_.push_back(std::move(root));
 }
 
@@ -85,8 +90,7 @@ int Rollout::follow(std::size_t index, std::size_t choice) {
   for (const SymAction& step : steps) apply(step, next.run.now);
   next.primitive = nodes_[index].primitive + steps.size();
   // Planner in the loop: what cannot be reached, changes nothing or leads back to the start is no choice.
-  if (steps.empty() || next.run.now == before || next.run.now == next.run.start ||
-      next.primitive > kMaxActions) {
+  if (steps.empty() || next.run.now == before || next.run.now == start_ || next.primitive > kMaxActions) {
     nodes_[index].child[choice] = -2;
     return -2;
   }
@@ -117,7 +121,7 @@ CandidateRun Rollout::roll(Choose choose) {
     if (sum <= 0) break;
     for (float& p : node.probability) p /= sum;
   }
-  CandidateRun run = play(nodes_[0].run.start, nodes_[at].run.actions);
+  CandidateRun run = play(start_, nodes_[at].run.actions);
   run.log_probability = log_probability;
   return run;
 }

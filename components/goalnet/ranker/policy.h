@@ -57,6 +57,7 @@ class Rollout {
   const Lexicon& lexicon_;
   const Places& places_;
   const Hints& hints_;
+  const SymState start_;
   std::vector<Node> nodes_;
   std::unordered_map<StepKey, float> fixed_;  // score of what does not change during a run
   std::vector<std::uint32_t> features_, offsets_;

@@ -38,7 +38,6 @@ std::vector<Decision> decisions_of(const Example& example, const Instruction& in
                                    Random* random) {
   std::vector<Decision> decisions;
   PartialRun run;
-  run.start = example.states.front();
   for (std::size_t k = 0; k <= example.macros.size(); ++k) {
     const bool stop = k == example.macros.size();
     run.now = stop ? example.states.back() : example.states[example.macros[k].first];
@@ -137,19 +136,6 @@ Proposal propose(const Ranker& ranker, const Lexicon& lexicon, const Instruction
     run.log_probability = rollout.log_probability(run.macros);
   }
   return {std::move(pool), std::move(hints)};
-}
-
-std::vector<Agreement> expected_agreement(const std::vector<CandidateRun>& pool) {
-  std::vector<Agreement> result(pool.size());
-  for (std::size_t a = 0; a < pool.size(); ++a)
-    for (const CandidateRun& truth : pool) {
-      const Agreement one = agreement(pool[a], truth);
-      result[a].sji += truth.weight * one.sji;
-      result[a].f1 += truth.weight * one.f1;
-      result[a].ied += truth.weight * one.ied;
-      result[a].grr += truth.weight * one.grr;
-    }
-  return result;
 }
 
 }  // namespace goalnet::inference

@@ -51,9 +51,6 @@ struct Proposal {
 Proposal propose(const Ranker& ranker, const Lexicon& lexicon, const Instruction& instruction,
                  const Reading& reading, const SymState& start, std::uint64_t seed);
 
-// For each run the weighted mean agreement with all of the pool (minimum Bayes risk).
-std::vector<Agreement> expected_agreement(const std::vector<CandidateRun>& pool);
-
 // An example's steps as decisions. With `random` most of the least likely candidates are left out, for speed.
 std::vector<Decision> decisions_of(const Example& example, const Instruction& instruction,
                                    const Lexicon& lexicon, const Places& places, const Hints& hints,

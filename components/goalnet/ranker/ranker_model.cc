@@ -107,11 +107,11 @@ RankerModel::Decoded RankerModel::decode_benchmark(const Instruction& instructio
   const auto [pool, hints] = propose(ranker, *parts_.lexicon, instruction, reading, start, seed);
   const AgreementTable table(pool);
   const auto features = run_features(pool, table, instruction, start, hints);
-  const auto [best, expected] = choose_run(ranker.reranker, pool, table, features);
+  const auto [run, expected] = choose_run(ranker.reranker, pool, table, features, start);
   const auto confidence = static_cast<double>(ranker.confidence(expected));
   Decoded decoded;
   SymState now = start;
-  for (const SymAction& action : pool[best].actions) {
+  for (const SymAction& action : run.actions) {
     SymState after = now;
     apply(action, after);
     decoded.steps.push_back(to_goal(delta(now, after), parts_.symbols, confidence));

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "components/goalnet/evaluation.h"
+#include "components/goalnet/ranker/improve_run.h"
 #include "components/goalnet/ranker/unseen_pools.h"
 
 namespace goalnet::inference {
@@ -15,27 +16,28 @@ constexpr int kFolds = 5;
 }  // namespace
 
 Choice choose_run(const BoostedTrees& trees, const std::vector<CandidateRun>& pool,
-                  const AgreementTable& table, const std::vector<RunFeatures>& features) {
-  constexpr float kSharpness = 15;  // chosen by cross-validation among 8, 15 and 30
-  std::vector<float> weight(pool.size());
+                  const AgreementTable& table, const std::vector<RunFeatures>& features,
+                  const SymState& start) {
+  constexpr float kPower = 0.7f, kSharpness = 6;  // docs/design/050
+  std::vector<float> belief(pool.size());
   float total = 1e-9f;
   const std::span<const float> rows(features.empty() ? nullptr : features.front().data(),
                                     features.size() * kRunFeatures);
   const std::vector<float> predicted =
       trees.empty() ? std::vector<float>(pool.size(), 0.0f) : trees.predict(rows, kRunFeatures);
-  for (std::size_t i = 0; i < pool.size(); ++i) {
-    weight[i] = pool[i].weight * std::exp(kSharpness * predicted[i]);
-    total += weight[i];
-  }
-  Choice best;
+  for (std::size_t i = 0; i < pool.size(); ++i)
+    total += belief[i] = std::pow(pool[i].weight, kPower) * std::exp(kSharpness * predicted[i]);
+  for (float& share : belief) share /= total;
+  std::size_t best = 0;
   float most = -1;
   for (std::size_t i = 0; i < pool.size(); ++i) {
-    float value = 0, sji = 0;
-    for (std::size_t j = 0; j < pool.size(); ++j)
-      value += weight[j] * table(i, j).mean(), sji += weight[j] * table(i, j).sji;
-    if (value > most) most = value, best = {i, sji / total};
+    float value = 0;
+    for (std::size_t j = 0; j < pool.size(); ++j) value += belief[j] * worth(table(i, j));
+    if (value > most) most = value, best = i;
   }
-  return best;
+  Choice choice{improve(pool[best], pool, belief, start), 0};
+  choice.expected = expected_sji(choice.run, pool, belief);
+  return choice;
 }
 
 namespace {
@@ -86,8 +88,9 @@ Expected<Reranker> train_reranker(const std::vector<const Example*>& examples, c
     const BoostedTrees trees = fit(pools, fold, 1);
     for (const UnseenPool& pool : pools) {
       if (pool.fold != fold) continue;
-      const Choice choice = choose_run(trees, pool.pool, AgreementTable(pool.pool), pool.features);
-      reached.emplace_back(choice.expected, pool.scores[choice.run].sji);
+      const Choice choice =
+          choose_run(trees, pool.pool, AgreementTable(pool.pool), pool.features, pool.start);
+      reached.emplace_back(choice.expected, agreement(choice.run, pool.truth).sji);
     }
     if (progress && !progress(kPools + kTrees * (fold + 1.0) / kFolds)) return tl::unexpected(cancelled);
   }

@@ -14,14 +14,16 @@
 namespace goalnet::inference {
 
 struct Choice {
-  std::size_t run = 0;
+  CandidateRun run;
   float expected = 0;  // the SJI that the pool lets expect of it; see Confidence for what that is worth
 };
 
 // The run that agrees best with the pool (minimum Bayes risk), each run of the pool counting by its weight
-// and by what the trees say of it. Without trees by its weight alone.
+// and by what the trees say of it (without trees by its weight alone), and then made to agree better still
+// (improve_run.h). The pool is not empty.
 Choice choose_run(const BoostedTrees& trees, const std::vector<CandidateRun>& pool,
-                  const AgreementTable& table, const std::vector<RunFeatures>& features);
+                  const AgreementTable& table, const std::vector<RunFeatures>& features,
+                  const SymState& start);
 
 struct Reranker {
   BoostedTrees trees;

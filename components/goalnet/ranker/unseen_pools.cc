@@ -15,8 +15,9 @@ CandidateRun demonstrated_run(const Example& example) {
 }
 
 void score(UnseenPool& pool, const Example& example) {
-  const CandidateRun truth = demonstrated_run(example);
-  for (const CandidateRun& run : pool.pool) pool.scores.push_back(agreement(run, truth));
+  pool.start = example.states.front();
+  pool.truth = demonstrated_run(example);
+  for (const CandidateRun& run : pool.pool) pool.scores.push_back(agreement(run, pool.truth));
 }
 
 // Of each run what playing it again does not give: weight, macros, features. (The shares of the weight and

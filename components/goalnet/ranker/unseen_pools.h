@@ -16,6 +16,8 @@ namespace goalnet::inference {
 // A pool and how each run of it would have scored.
 struct UnseenPool {
   int fold = 0;
+  SymState start;
+  CandidateRun truth;  // what the person did
   std::vector<CandidateRun> pool;
   std::vector<RunFeatures> features;
   std::vector<Agreement> scores;
