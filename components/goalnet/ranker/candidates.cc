@@ -124,6 +124,9 @@ std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon&
       if (y.in && !includes(in, y.symbol)) offer({Verb::kKeepIn, x.symbol, y.symbol});
     }
   }
+  SymState beside_doors = state;
+  for (const Symbol device : {kMicrowave, kFridge})
+    beside_doors.add(sym_fact(Relation::kNear, kRobot, device));
   for (const DeviceAction& device : kDeviceActions) {
     if (instruction.find(device.device) < 0) continue;
     const bool tv = device.action.verb == Verb::kPress && device.action.x > kTv_1Remote_1PowerButton;
@@ -134,13 +137,7 @@ std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon&
          : device.action.x == kFridgeRightDoor ? state.is(kFridge, kRightDoorIsOpen)
                                                : state.is(kBagOfChips_1, kIsOpen)))
       continue;
-    if (device.action.verb == Verb::kClose && !applicable(device.action, [&] {
-          SymState near = state;
-          near.add(sym_fact(Relation::kNear, kRobot, kMicrowave));
-          near.add(sym_fact(Relation::kNear, kRobot, kFridge));
-          return near;
-        }()))
-      continue;
+    if (device.action.verb == Verb::kClose && !applicable(device.action, beside_doors)) continue;
     offer(device.action);
   }
   for (const Symbol x : vessels) {

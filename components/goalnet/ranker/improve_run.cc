@@ -48,27 +48,38 @@ std::vector<SymAction> shared_steps(const std::vector<Truth>& truths) {
   return steps;
 }
 
-// Calls `consider` with all lists of steps that differ from these by one.
+// Calls `consider(i, rest)` for all lists of steps that differ from these by one: the first i of these, then
+// the rest.
 template <class Consider>
 void vary(const std::vector<SymAction>& macros, const std::vector<SymAction>& steps, Consider consider) {
-  std::vector<SymAction> varied;
+  std::vector<SymAction> rest;
+  const auto from = [&](std::size_t i) { return macros.begin() + static_cast<long>(i); };
   for (std::size_t i = 0; i < macros.size(); ++i) {
-    varied = macros;
-    varied.erase(varied.begin() + static_cast<long>(i));
-    consider(varied);
+    rest.assign(from(i + 1), macros.end());
+    consider(i, rest);
   }
   for (const SymAction& step : steps) {
     if (std::find(macros.begin(), macros.end(), step) != macros.end()) continue;
     for (std::size_t i = 0; i <= macros.size(); ++i) {
-      varied = macros;
-      varied.insert(varied.begin() + static_cast<long>(i), step);
-      consider(varied);
+      rest.assign(from(i), macros.end());
+      rest.insert(rest.begin(), step);
+      consider(i, rest);
       if (i == macros.size()) continue;
-      varied = macros;
-      varied[i] = step;
-      consider(varied);
+      rest.erase(rest.begin() + 1);
+      consider(i, rest);
     }
   }
+}
+
+// The run after none of its macros, after the first, ...
+std::vector<CandidateRun> beginnings(const std::vector<SymAction>& macros, const SymState& start) {
+  std::vector<CandidateRun> runs = {play(start, {})};
+  for (const SymAction& macro : macros) {
+    CandidateRun next = runs.back();
+    play_on(next, start, {&macro, 1});
+    runs.push_back(std::move(next));
+  }
+  return runs;
 }
 
 }  // namespace
@@ -85,8 +96,10 @@ CandidateRun improve(CandidateRun run, const std::vector<CandidateRun>& pool, st
   for (int change = 0; change < kMostChanges; ++change) {
     most += kLeastGain;
     std::optional<CandidateRun> best;
-    vary(run.macros, steps, [&](const std::vector<SymAction>& macros) {
-      CandidateRun varied = play(start, macros);
+    const auto begun = beginnings(run.macros, start);
+    vary(run.macros, steps, [&](std::size_t kept, const std::vector<SymAction>& rest) {
+      CandidateRun varied = begun[kept];
+      play_on(varied, start, rest);
       if (varied.actions == run.actions) return;
       const float value = expected_worth(varied, truths);
       if (value > most) most = value, best = std::move(varied);

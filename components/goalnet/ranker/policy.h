@@ -41,7 +41,6 @@ class Rollout {
   struct Node {
     std::vector<SymAction> actions;
     std::vector<float> probability;
-    std::vector<std::vector<SymAction>> steps;
     std::vector<int> child;  // index into nodes_, -1 not visited, -2 leads nowhere new
     PartialRun run;
     std::size_t primitive = 0;  // actions so far, means included

@@ -41,12 +41,18 @@ float edit_agreement(const std::vector<SymAction>& left, const std::vector<SymAc
 CandidateRun play(const SymState& start, std::span<const SymAction> macros) {
   CandidateRun run;
   run.end = start;
+  play_on(run, start, macros);
+  return run;
+}
+
+void play_on(CandidateRun& run, const SymState& start, std::span<const SymAction> macros) {
+  SymState before;
   for (const SymAction& macro : macros) {
     const auto steps = with_means(macro, run.end);
     if (steps.empty()) continue;
     bool changed = false;
     for (const SymAction& step : steps) {
-      const SymState before = run.end;
+      before = run.end;
       apply(step, run.end);
       if (run.end == before) continue;
       run.actions.push_back(step);
@@ -55,7 +61,6 @@ CandidateRun play(const SymState& start, std::span<const SymAction> macros) {
     if (changed) run.macros.push_back(macro);
   }
   run.change = delta(start, run.end);
-  return run;
 }
 
 std::pair<Agreement, Agreement> mutual_agreement(const CandidateRun& run, const CandidateRun& truth) {

@@ -23,6 +23,8 @@ struct CandidateRun {
 
 // Applies macros one after the other (those that are not possible are left out).
 CandidateRun play(const SymState& start, std::span<const SymAction> macros);
+// Goes on with a run that began at `start`.
+void play_on(CandidateRun& run, const SymState& start, std::span<const SymAction> macros);
 
 // How `run` would score if `truth` were the demonstration.
 struct Agreement {
