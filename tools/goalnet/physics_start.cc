@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+
+#include "components/scene/fit.h"
 
 namespace goalnet::tools {
 namespace {
@@ -95,17 +98,24 @@ class Arranger {
     return std::nullopt;
   }
 
-  // Just above the bottom of the hollow.
-  std::optional<Eigen::Vector3d> inside(std::size_t thing, std::size_t container) const {
+  // Just above the bottom of the hollow, or above what was put there before; nowhere if it is full.
+  std::optional<Eigen::Vector3d> inside(std::size_t thing, std::size_t container) {
     const auto& cavity = scene_.model_of(scene_.objects[container]).cavity;
+    const auto& model = scene_.model_of(scene_.objects[thing]);
     if (thing == container || !cavity || cavity->slot) return std::nullopt;
+    if (!cavity->shallow() && scene::girth(model) > cavity->radius) return std::nullopt;
+    double& filled = filled_[container];  // [m]
+    if (filled > 0.0 && filled + model.height() > cavity->depth) return std::nullopt;
     const Pose mouth = world_.object_pose(container) * cavity->mouth;
-    return mouth * Eigen::Vector3d(0, 0, kDrop - cavity->depth);
+    const Eigen::Vector3d spot = mouth * Eigen::Vector3d(0, 0, filled + kDrop - cavity->depth);
+    filled += model.height() + kDrop;
+    return spot;
   }
 
   sim::World& world_;
   const Scene& scene_;
-  std::vector<bool> waiting_;  // has not got its place yet
+  std::vector<bool> waiting_;             // has not got its place yet
+  std::map<std::size_t, double> filled_;  // [m] by container: how high
 };
 
 // Knobs and doors follow their joints; everything else that a device is, is a fact.

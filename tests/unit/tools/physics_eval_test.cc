@@ -67,6 +67,29 @@ TEST_F(Arrange, AThingInAThingLiesInIt) {
   EXPECT_LT((pose("BoiledEgg_1").translation() - pose("Bowl_1").translation()).norm(), 0.1);
 }
 
+// Pushed into each other they would burst apart and take the bowl with them.
+TEST_F(Arrange, WhatDoesNotFitStaysOut) {
+  const scene::Pose plate = pose("Plate_1");
+  arrange(*world_, facts({"(In Plate_1 Glass_1)", "(In Spoon_1 Bowl_1)", "(In BoiledEgg_1 Bowl_1)"}));
+  EXPECT_EQ(pose("Plate_1").translation(), plate.translation());
+  const double apart = (pose("Spoon_1").translation() - pose("BoiledEgg_1").translation()).norm();
+  EXPECT_GT(apart, 0.01) << "one in the bowl, the other above it or where it was";
+  const scene::Pose bowl = pose("Bowl_1");
+  rest();
+  EXPECT_LT((pose("Bowl_1").translation() - bowl.translation()).norm(), 0.05);
+}
+
+// A place and its part: the part counts. What the scene has there stays as it stands.
+TEST_F(Arrange, TheCloserPlaceCounts) {
+  const scene::Pose egg = pose("BoiledEgg_1"), cup = pose("LongCup_1");
+  arrange(*world_, facts({"(In BoiledEgg_1 Fridge)", "(In BoiledEgg_1 FridgeRight)",
+                          "(On LongCup_1 Counter_1)", "(In Coke_1 Fridge)", "(In Coke_1 FridgeRight)"}));
+  EXPECT_EQ(pose("BoiledEgg_1").translation(), egg.translation());
+  EXPECT_EQ(pose("LongCup_1").translation(), cup.translation());
+  rest();
+  EXPECT_LT(std::abs(pose("Coke_1").translation().y() - egg.translation().y()), 0.3) << "beside the egg";
+}
+
 TEST_F(Arrange, DevicesAreAsRecordedOrOff) {
   arrange(*world_,
           facts({"(state SinkKnob TapIsOn)", "(state Fridge LeftDoorIsOpen)", "(state Mug_1 Water)"}));
