@@ -171,8 +171,24 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
       clause.phrases.push_back(more);
       last = after;
     }
+    // "ice cream in the bowl with chocolate syrup": into the same
+    static constexpr std::array kToppings = {"syrup"sv, "sauce"sv, "topping"sv};
+    NounPhrase with;
+    const std::size_t topped = language_.hears_people() && last < end && words_[last] == "with" &&
+                                       language_.holds_things(place.phrase)
+                                   ? reader_.read(last + 1, end, with)
+                                   : last + 1;
+    const bool tops = topped != last + 1 && ends_here(topped, end) && clause.phrases.size() == 2 &&
+                      language_.content(subject.phrase) != symbol::kNone &&
+                      (language_.content(with.phrase) != symbol::kNone ||
+                       one_of(with.phrase.substr(with.phrase.rfind(' ') + 1), kToppings));
     add(std::move(clause));
-    return last;
+    if (!tops) return last;
+    Clause top;
+    top.frame = Frame::kAdd, top.verb = "add", top.words = {"add"};
+    top.phrases = {std::move(with), std::move(place)};
+    add(std::move(top));
+    return topped;
   }
   if (i < end && language_.wanted_by_state(words_[i]) != Frame::kNone) {
     clause.frame = language_.wanted_by_state(words_[i]), clause.verb = clause.state = words_[i];

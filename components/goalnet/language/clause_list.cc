@@ -53,7 +53,11 @@ bool ClauseParser::begins_anew(std::size_t i, std::size_t next, std::size_t done
                                const Clause& clause, const NounPhrase& phrase, bool direct) const {
   const bool comma = words_[i] == ",";
   const bool subject = one_of(words_[next], kSubjects) || one_of(words_[next], kArticles) || phrase.person;
-  if (subject && tells(next, part_end(next, end)) && !reader_.starts(done, end)) return true;
+  // "the beer and the coke before mum comes home": what tells is behind the thing
+  std::size_t part = part_end(next, end);
+  for (std::size_t k = next; k < part && language_.hears_people(); ++k)
+    if (one_of(words_[k], kSubordinate)) part = k;
+  if (subject && tells(next, part) && !reader_.starts(done, end)) return true;
   const bool statement_follows = done < end && (language_.copula(words_[done]) || phrase.person);
   if (statement_follows && skip_joins(done, end) == done) return true;
   // "a book, the one on the shelf": tells which book

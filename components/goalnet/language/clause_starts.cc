@@ -28,6 +28,8 @@ bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
   if (language_.hears_people() && all_words_->plural[at] && at > 0 &&
       (one_of(words_[at - 1], kPossessives) || words_[at - 1] == "both"))
     return false;  // "my hands", "both hands"
+  if (language_.hears_people() && words_[at] == "go" && at > 0 && one_of(words_[at - 1], kPossessives))
+    return false;  // "back from my run"
   if (language_.hears_people() && words_[at] == "up" && !reader_.starts(at + 1, end))
     return false;  // "too high up"
   const std::size_t name = reader_.name_length(at);

@@ -194,6 +194,15 @@ std::string FrameActions::scoop(const Clause& clause) {
   if (!destination->pronoun) targets = resolver_.chosen(*destination, targets);
   for (const Symbol target : targets)
     if (const Problem problem = scoop_into(target, times); !problem.empty()) return problem;
+  // "a scoop of ice cream in the bowl with chocolate syrup"
+  if (const NounPhrase* with = clause.first(Role::kWith);
+      at_home_ && with != nullptr && !with->pronoun && !with->bare()) {
+    const Objects toppings = resolver_.options(*with, Sort::kMovable, now_);
+    const bool squeezed = !toppings.empty() && now_.has(Relation::kIsSqueezeable, toppings.front());
+    for (const Symbol target : squeezed ? targets : Objects{})
+      if (const Problem problem = act({Verb::kSqueeze, toppings.front(), target}); !problem.empty())
+        return problem;
+  }
   remember(targets);
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "components/goalnet/language/coverage.h"
 #include "components/goalnet/language/frame_actions.h"
 
 namespace goalnet::inference {
@@ -99,6 +100,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
   FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances, at_home_);
   if (may_run) actions.leave_tap_on();
   std::size_t missing = 0;
+  std::vector<ReadCommand> commands;
   for (const Clause& clause : sentence.clauses) {
     if (clause.mood == Mood::kStatement || clause.mood == Mood::kQuestion) {
       actions.notice(clause);
@@ -118,7 +120,10 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       continue;
     }
     ++result.clauses;
-    if (const std::string problem = actions.add(clause); !problem.empty()) {
+    const std::size_t before = actions.macros().size();
+    const std::string problem = actions.add(clause);
+    commands.push_back({&clause, before, actions.macros().size()});
+    if (!problem.empty()) {
       if (aside) {
         actions.notice(clause);
         ++result.passed_over;
@@ -134,6 +139,11 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       if (const std::string problem = actions.check_forbidden(clause, start); !problem.empty())
         result.problems.push_back(problem);
   if (!sentence.stray.empty()) result.problems.push_back(language_.unknown_word(sentence.stray.front()));
+  if (at_home_ && result.problems.empty())
+    if (const Symbol unused = unused_thing({words, sentence, commands, actions.macros()}, language_, lexicon_,
+                                           actions.resolver(), start);
+        unused != symbol::kNone)
+      result.problems.push_back("it is not clear what to do with " + symbols_.name(unused));
   result.no_such_number = actions.no_such_number();
   result.macros = actions.macros();
   result.steps = actions.steps();

@@ -193,6 +193,11 @@ std::vector<RobotLanguage::WithoutBackground> RobotLanguage::without_background(
       order.push_back(p);
     aside_before = !order.empty() && order.back() == p;
   }
+  // "[I'm dying] [for that drink in the fridge]": what is kept hangs on what stands before it
+  std::erase_if(order, [&](std::size_t p) {
+    return p + 1 < parts.size() && parts[p].end == parts[p + 1].begin && tokens[parts[p].end] == "for" &&
+           std::find(order.begin(), order.end(), p + 1) == order.end();
+  });
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return likely[a] > likely[b]; });
   std::vector<WithoutBackground> readings;
   const auto add = [&](const std::vector<bool>& aside) {
