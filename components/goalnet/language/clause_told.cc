@@ -47,6 +47,10 @@ bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
   if ((one_of(first, kSubjects) && !pointer) || language_.wish(first) != nullptr) return stop > at + 1;
   // the subject: "my back", "the kids", "guests", "half the family"
   for (std::size_t i = at + 1; i < stop && i <= at + kLongestSubject; ++i) {
+    if (const std::size_t name = reader_.name_length(i); name > 1) {
+      i += name - 1;  // "dry" of "the canada dry" is no verb
+      continue;
+    }
     const std::string& word = words_[i];
     if (language_.copula(word) || word == "not") return true;
     if (word == "please" || (language_.hears_people() && word == "except")) continue;

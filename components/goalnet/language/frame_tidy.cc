@@ -117,7 +117,15 @@ std::string FrameActions::swap(const Clause& clause) {
 std::string FrameActions::clear(const Clause& clause) {
   const NounPhrase* place = clause.first(Role::kSource);
   const NounPhrase* thing = clause.first(Role::kDirect);
-  if (place == nullptr && thing != nullptr && !thing->at.empty()) place = &thing->at.front();
+  const NounPhrase* to = clause.first(Role::kDestination);
+  if (place == nullptr && thing != nullptr && thing->everything && to != nullptr && !clause.has("onto") &&
+      !clause.has("into") && !clause.has("to")) {  // "clear the stuff on the sofa"
+    place = to;
+    to = nullptr;
+  }
+  // but for "the sofa with all that stuff on it"
+  if (place == nullptr && thing != nullptr && !thing->at.empty() && !thing->at.front().everything)
+    place = &thing->at.front();
   if (place == nullptr) place = thing;
   if (place == nullptr) return "it is not clear what to clear";
   auto options = place->pronoun ? pronoun(*place, Sort::kPlace, {})
@@ -130,7 +138,12 @@ std::string FrameActions::clear(const Clause& clause) {
   if (stove && !place->pronoun) options = resolver_.options(*place, Sort::kPlace, now_);
   Objects there;
   for (const Symbol at : options) {
-    if (resolver_.is_vessel(at)) return empty(clause);
+    if (resolver_.is_vessel(at)) {  // alone: the rest of the clause would lead back to here
+      Clause emptied = clause;
+      emptied.phrases = {*place};
+      emptied.phrases.front().role = Role::kDirect;
+      return empty(emptied);
+    }
     for (const Symbol object : resolver_.things_at(at, now_))
       if (now_.has(Relation::kIsGraspable, object)) there.push_back(object);
   }
@@ -145,7 +158,7 @@ std::string FrameActions::clear(const Clause& clause) {
         other.symbol != kFridge && other.symbol != kMicrowave && other.symbol != kSink &&
         !now_.has(Relation::kIsGraspable, other.symbol) && !resolver_.is_of_class(other.symbol, "burner"))
       target = other.symbol;
-  if (const NounPhrase* to = clause.first(Role::kDestination); to != nullptr) return put(clause);
+  if (to != nullptr) return put(clause);
   if (target == kNone)
     return "it is not clear where to put what is there; say for example \"put everything in the sink\"";
   for (const Symbol object : there)

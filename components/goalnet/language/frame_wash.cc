@@ -32,7 +32,7 @@ std::string FrameActions::empty(const Clause& clause) {
       resolver_.options(*thing, Sort::kVessel, now_).empty()) {
     const auto places = resolver_.options(*thing, Sort::kPlace, now_);
     if (!places.empty() && resolver_.class_of(places.front())->place &&
-        !now_.has(Relation::kIsGraspable, places.front()))
+        !now_.has(Relation::kIsGraspable, places.front()) && !resolver_.is_vessel(places.front()))
       return clear(clause);
   }
   if (const NounPhrase* thing = clause.first(Role::kDirect);
