@@ -38,7 +38,7 @@ class EventLoop {
   // Returns whether `done` was met.
   bool run_for(std::chrono::nanoseconds limit, const std::function<bool()>& done = {});
 
-  // Ends run() after the current callback. A stopped loop can be run again.
+  // Ends run() once what waits in this round has run. A stopped loop can be run again.
   void stop();
 
   // Makes run() look at its timers again, for example after simulated time moved.
