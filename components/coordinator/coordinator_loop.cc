@@ -138,7 +138,7 @@ const Goal& Coordinator::planned_goal() const { return task_->detour.empty() ? r
 
 void Coordinator::take_plan(const PlanAnswer& answer, TimeNs now) {
   Task& task = *task_;
-  const bool no_detour = answer.outcome == Outcome::kDone ? answer.actions.empty() : true;
+  const bool no_detour = answer.outcome != Outcome::kDone || answer.actions.empty();
   if (no_detour && !std::exchange(task.detour, Goal()).empty()) return ask_for_plan(now);
   if (answer.outcome != Outcome::kDone) return stop(answer.outcome, answer.message, now);
   report_.plan = answer.actions;

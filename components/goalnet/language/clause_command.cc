@@ -28,6 +28,19 @@ std::size_t ClauseParser::instead_of(std::size_t at, std::size_t end, Clause& cl
   return done;
 }
 
+std::size_t ClauseParser::except(std::size_t at, std::size_t end, Clause& clause) {
+  if (!language_.hears_people() || words_[at] != "except" || clause.mood != Mood::kCommand) return at;
+  const std::size_t from = at + 1 < end && words_[at + 1] == "for" ? at + 2 : at + 1;
+  NounPhrase left_out, there;
+  const std::size_t done = reader_.read(from, end, left_out);
+  if (done == from || left_out.person || left_out.unknown) return at;
+  const std::size_t after = reader_.read_place(done, end, there);
+  if (after != done) left_out.at.push_back(there);
+  left_out.role = Role::kExcept;
+  clause.phrases.push_back(std::move(left_out));
+  return after;
+}
+
 std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
   Clause clause;
   clause.mood = mood;

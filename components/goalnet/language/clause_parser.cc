@@ -117,18 +117,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     return at + 1;
   }
   // "all of the books should be on the table, except for the one on the shelf"
-  if (NounPhrase left_out, there; language_.hears_people() && word == "except" && !result_.clauses.empty() &&
-                                  result_.clauses.back().mood == Mood::kCommand) {
-    const std::size_t from = at + 1 < end && words_[at + 1] == "for" ? at + 2 : at + 1;
-    const std::size_t done = reader_.read(from, end, left_out);
-    if (done != from && !left_out.person && !left_out.unknown) {
-      const std::size_t after = reader_.read_place(done, end, there);
-      if (after != done) left_out.at.push_back(there);
-      left_out.role = Role::kExcept;
-      result_.clauses.back().phrases.push_back(std::move(left_out));
-      return after;
-    }
-  }
+  if (!result_.clauses.empty())
+    if (const std::size_t done = except(at, end, result_.clauses.back()); done != at) return done;
   if (word == "do_that") return done_that(at, end);
   if (word == "hint") return hint(at, end);
   if (word == "correction") return correction(at, end);

@@ -34,6 +34,8 @@ class ClauseParser {
   // "(on the table) rather than on the couch", "(the mug) instead of the glass", ", not on the xbox": passed
   // over, but for what should stay out of it; `at` where it is none.
   std::size_t instead_of(std::size_t at, std::size_t end, Clause& clause);
+  // "(all of them should be on the table,) except for the one on the shelf"; `at` where it is none.
+  std::size_t except(std::size_t at, std::size_t end, Clause& clause);
   bool again(const Clause& fragment);
   bool says_nothing_here(std::size_t at, std::size_t end) const;
   std::size_t fragment(std::size_t at, std::size_t end);

@@ -31,18 +31,9 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         i = done;
         continue;
       }
-    // "... should be on the table, except the one on the shelf"
-    if (NounPhrase left_out; language_.hears_people() && word == "except" && clause.mood == Mood::kCommand) {
-      const std::size_t from = i + 1 < end && words_[i + 1] == "for" ? i + 2 : i + 1;
-      const std::size_t done = reader_.read(from, end, left_out);
-      if (done != from && !left_out.person && !left_out.unknown) {
-        const std::size_t after = reader_.read_place(done, end, place);
-        if (after != done) left_out.at.push_back(place);
-        left_out.role = Role::kExcept;
-        clause.phrases.push_back(std::move(left_out));
-        i = after;
-        continue;
-      }
+    if (const std::size_t done = except(i, end, clause); done != i) {
+      i = done;
+      continue;
     }
     if (language_.hears_people() && word == "not" &&
         clause.mood == Mood::kCommand) {  // "..., not on the stove"

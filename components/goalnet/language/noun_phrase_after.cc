@@ -218,7 +218,7 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
                          (words_.text[done] == "in" || words_.text[done] == "inside") &&
                          (done + 1 == end || words_.text[done + 1] == "it" ||
                           words_.text[done + 1] == "them" || words_.text[done] == "inside");
-      const bool carrier = language_.hears_people() && word == "with" && inner.bare() == false &&
+      const bool carrier = language_.hears_people() && word == "with" && !inner.bare() &&
                            !inner.definite &&
                            (phrase.phrase == "bottle" || phrase.phrase == "can" || phrase.word == "one");
       if (done != from && language_.content(inner.phrase) != symbol::kNone && (filled || in_it || carrier)) {

@@ -29,8 +29,8 @@ class ReceptionGate {
   bool open_ = false;
 };
 
-// Puts the gate before all transports of `qos` but TCP, and lets an Introduction hear what goes through them. Open it
-// as soon as the participant is made.
+// Puts the gate before all transports of `qos` but TCP, and lets an Introduction hear what goes through them.
+// Open it as soon as the participant is made.
 std::shared_ptr<ReceptionGate> hold_reception(eprosima::fastdds::dds::DomainParticipantQos& qos);
 
 }  // namespace goalnet::ros::detail

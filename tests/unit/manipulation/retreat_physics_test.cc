@@ -3,29 +3,20 @@
 
 #include "components/manipulation/phases.h"
 #include "components/manipulation/skills.h"
-#include "components/manipulation/testing/physics_harness.h"
+#include "tests/unit/manipulation/physics_room.h"
 
 namespace goalnet::manipulation {
 namespace {
 
-class Shelf : public testing::Test {
+class Shelf : public PhysicsRoom {
  protected:
+  Shelf() : PhysicsRoom("living_room", 0.3) {}
   void put(const std::string& name, const Eigen::Vector3d& at, double yaw) {
-    const auto& objects = harness_->bench().scene().objects;
-    const auto found =
-        std::find_if(objects.begin(), objects.end(), [&](const auto& o) { return o.name == name; });
     Pose pose = Pose::Identity();
     pose.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     pose.translation() = at;
-    harness_->world().set_object_pose(static_cast<std::size_t>(found - objects.begin()), pose);
+    PhysicsRoom::put(name, pose);
   }
-  void expect_done(const Action& action) {
-    const auto result = harness_->run(action, 120.0);
-    EXPECT_EQ(result.result.outcome, Outcome::kDone) << to_string(action) << ": " << result.result.message;
-    harness_->wait(0.3);
-  }
-  std::unique_ptr<PhysicsHarness> harness_ =
-      std::move(PhysicsHarness::create("living_room", "default", 1).value());
 };
 
 // Deep between two boards, a cushion at each side: it comes out, and the arm with it folds.

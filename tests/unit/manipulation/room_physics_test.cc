@@ -2,23 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "components/manipulation/phases.h"
-#include "components/manipulation/testing/physics_harness.h"
+#include "tests/unit/manipulation/physics_room.h"
 
 namespace goalnet::manipulation {
 namespace {
 
-class UntidyKitchen : public testing::Test {
+class UntidyKitchen : public PhysicsRoom {
  protected:
-  std::size_t index(const std::string& name) const {
-    const auto& objects = harness_->bench().scene().objects;
-    const auto found =
-        std::find_if(objects.begin(), objects.end(), [&](const auto& o) { return o.name == name; });
-    return static_cast<std::size_t>(found - objects.begin());
-  }
-  Pose pose(const std::string& name) const { return harness_->world().object_pose(index(name)); }
-  void put(const std::string& name, const Pose& pose) {
-    harness_->world().set_object_pose(index(name), pose);
-  }
+  UntidyKitchen() : PhysicsRoom("kitchen", 0.5) {}
   void lay(const std::string& name) {
     Pose on_its_side = pose(name);
     on_its_side.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -28,13 +19,6 @@ class UntidyKitchen : public testing::Test {
     ASSERT_GT(tilt(name), 1.2);
   }
   double tilt(const std::string& name) const { return tilt_of(pose(name)); }
-  void expect_done(const Action& action) {
-    const auto result = harness_->run(action, 120.0);
-    EXPECT_EQ(result.result.outcome, Outcome::kDone) << to_string(action) << ": " << result.result.message;
-    harness_->wait(0.5);
-  }
-  std::unique_ptr<PhysicsHarness> harness_ =
-      std::move(PhysicsHarness::create("kitchen", "default", 1).value());
 };
 
 TEST_F(UntidyKitchen, WhatStandsOnTheBurnerIsPutAside) {
