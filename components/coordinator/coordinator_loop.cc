@@ -195,7 +195,7 @@ void Coordinator::check_effects(TimeNs now) {
     task.act = Act::kPrepare;
     return prepare_action(now);
   }
-  task.detour = taking_in_hand(lacking, task.order.action, world_.facts);
+  task.detour = taking_in_hand(lacking, task.order.action, world_.facts, report_.goal);
   action_failed(task.order.action, Outcome::kMotionFailed, "afterwards the world " + to_string(lacking), now);
 }
 

@@ -63,15 +63,25 @@ bool only_besides(const Shortfall& shortfall, const Expectation& expectation, co
                      [&](const Predicate& fact) { return besides(fact, goal.negative); });
 }
 
-Goal taking_in_hand(const Shortfall& shortfall, const Action& action, const FactSet& facts) {
-  for (const Predicate& missing : shortfall.missing) {
+Goal taking_in_hand(const Shortfall& shortfall, const Action& action, const FactSet& facts,
+                    const Goal& goal) {
+  const auto may_be_taken = [&](const Predicate& missing) {
     const std::string& thing = missing.subject;
-    const bool argument =
-        std::find(action.arguments.begin(), action.arguments.end(), thing) != action.arguments.end();
     const auto stands = [&](const Predicate& fact) { return fact.relation == "On" && fact.subject == thing; };
-    if (missing.relation == "state" && !argument && std::any_of(facts.begin(), facts.end(), stands))
-      return {{{"Grasping", "Robot", thing}}, {}, 1.0};
-  }
+    return missing.relation == "state" &&
+           std::ranges::find(action.arguments, thing) == action.arguments.end() &&
+           std::ranges::any_of(facts, stands);
+  };
+  const auto asked_for = [&](const Predicate& missing) {
+    return std::ranges::find(goal.positive, missing) != goal.positive.end();
+  };
+  const auto taking = [](const Predicate& missing) {
+    return Goal{{{"Grasping", "Robot", missing.subject}}, {}, 1.0};
+  };
+  for (const Predicate& missing : shortfall.missing)
+    if (may_be_taken(missing) && asked_for(missing)) return taking(missing);
+  for (const Predicate& missing : shortfall.missing)
+    if (may_be_taken(missing)) return taking(missing);
   return {};
 }
 

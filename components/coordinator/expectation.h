@@ -40,8 +40,9 @@ bool only_besides(const Shortfall& shortfall, const Expectation& expectation, co
                   const Goal& goal);
 
 // The goal to take something in the hand that an action on something else should have changed where it
-// stands, but did not: from there it can be put right, under the tap. Empty if there is no such thing.
-Goal taking_in_hand(const Shortfall& shortfall, const Action& action, const FactSet& facts);
+// stands, but did not: from there it can be put right, under the tap. Rather what `goal` asks for than what
+// stands beside it. Empty if there is no such thing.
+Goal taking_in_hand(const Shortfall& shortfall, const Action& action, const FactSet& facts, const Goal& goal);
 
 // "lacks (On Mug_1 Sink), still has (Grasping Robot Mug_1)"; at most a handful are named.
 std::string to_string(const Shortfall& shortfall);

@@ -1,4 +1,5 @@
 // Ways to reach things with the hands, from the affordances of the scene.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,10 @@
 #include "components/manipulation/skills.h"
 
 namespace goalnet::manipulation {
+
+bool has_free_hand(const Workbench& bench) {
+  return std::ranges::any_of(bench.held(), [](const auto& hand) { return !hand; });
+}
 
 bool is_worktop(const scene::Region& region) {
   return region.relation == scene::RegionRelation::kOn && region.supports.front().size_y > 1.0;

@@ -25,7 +25,13 @@ Expected<Phases> HeldSkill::attempt(Workbench& bench, int number) {
   takes_anew_ = false;
   std::string occupant;
   if (moving_ == Moving::kNot && rooms_made_ < kMostRooms) {
-    if (auto put = make_room(bench, occupant)) {
+    auto put = make_room(bench, occupant);
+    if (put && !has_free_hand(bench)) {
+      if (!std::exchange(asked_for_hand_, true)) {
+        bench.note_wants_hand(true);
+        return fail(Outcome::kMotionFailed, what_ + ": no hand is free to put " + occupant + " aside");
+      }
+    } else if (put) {
       ++rooms_made_;
       begin_moving(std::move(occupant), std::move(put));
     }
@@ -72,8 +78,7 @@ bool HeldSkill::receiver_may_move(const Workbench& bench) const {
   if (pose == nullptr || !aside_.empty() || bench.supposes()) return false;
   if (bench.arm_holding(receiver_)) return true;
   const auto* region = region_around(bench, *pose);
-  const auto& held = bench.held();
-  const bool has_hand = std::any_of(held.begin(), held.end(), [](const auto& hand) { return !hand; });
+  const bool has_hand = has_free_hand(bench);
   if (has_hand && tilt_of(*pose) > kLies) return true;  // put down, it stands
   return has_hand && region != nullptr && !is_worktop(*region);
 }

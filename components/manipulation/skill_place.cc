@@ -136,6 +136,11 @@ std::vector<Reach> reaches_of(const std::vector<PlaceWay>& ways) {
   return reaches;
 }
 
+bool runs(const Workbench& bench, const scene::FillRule& outlet) {
+  return std::ranges::all_of(outlet.when,
+                             [&](const Predicate& fact) { return bench.world().facts.contains(fact); });
+}
+
 // Whether a thing that no hand holds keeps another from standing at a place, however that is turned.
 bool stands_on(const Workbench& bench, const std::string& thing, const Pose& place,
                const std::string& other) {
@@ -170,13 +175,13 @@ std::unique_ptr<Skill> PlaceSkill::make_room(const Workbench& bench, std::string
   const auto* model = scene.find_model_of(held_);
   if (where_ != Where::kRegion || !model->cavity || !model->cavity->liquid || model->cavity->shallow())
     return nullptr;
-  const auto& held = bench.held();
-  if (std::none_of(held.begin(), held.end(), [](const auto& hand) { return !hand; })) return nullptr;
   for (const auto* region : regions_of(scene, region_)) {
     const auto* fixture = scene.find_fixture(region->fixture);
     for (const auto& spot : region->spots) {
       const Pose at = fixture->pose * spot.frame;
-      if (outlet_near(scene, *fixture, at.translation(), 0.02) == nullptr) continue;
+      const auto* outlet = outlet_near(scene, *fixture, at.translation(), 0.02);
+      // With both hands full it is worth putting something down only if water runs already.
+      if (outlet == nullptr || !(has_free_hand(bench) || runs(bench, *outlet))) continue;
       for (const auto& object : scene.objects) {
         if (object.name == held_ || !stands_on(bench, object.name, at, held_)) continue;
         occupant = object.name;
@@ -210,10 +215,7 @@ bool PlaceSkill::runs_into(const Workbench& bench, const PlaceWay& way) const {
   for (const auto* region : regions_of(bench.scene(), region_)) {
     const auto& fixture = *bench.scene().find_fixture(region->fixture);
     const auto* outlet = outlet_near(bench.scene(), fixture, way.object.translation(), 0.02);
-    if (outlet != nullptr && std::ranges::all_of(outlet->when, [&](const Predicate& fact) {
-          return bench.world().facts.contains(fact);
-        }))
-      return true;
+    if (outlet != nullptr && runs(bench, *outlet)) return true;
   }
   return false;
 }

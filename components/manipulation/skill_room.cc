@@ -9,11 +9,6 @@ namespace {
 constexpr int kMostMoved = 4;   // things put aside for one action
 constexpr int kMostNested = 2;  // things in the way of things in the way
 
-bool has_free_hand(const Workbench& bench) {
-  const auto& held = bench.held();
-  return std::any_of(held.begin(), held.end(), [](const auto& hand) { return !hand; });
-}
-
 // What a hand holds that the action does not need.
 std::optional<std::string> may_be_put_down(const Workbench& bench, const std::set<std::string>& staying) {
   for (const auto& hand : bench.held())

@@ -83,7 +83,7 @@ class HeldSkill : public Skill {
   virtual bool another_grip_may_help(const Workbench&) const { return true; }
   // When no way was found, with no grip: whether use() will now do with less than what would be best.
   virtual bool does_with_less() { return false; }
-  // What has to be put aside first, and how; empty: nothing.
+  // What has to be put aside first, and how; empty: nothing. With both hands full, one is freed for it.
   virtual std::unique_ptr<Skill> make_room(const Workbench&, std::string&) const { return nullptr; }
 
   const std::string what_, held_, receiver_;
@@ -104,6 +104,7 @@ class HeldSkill : public Skill {
   Moving moving_ = Moving::kNot;
   std::string aside_;  // what is moved, or was
   int rooms_made_ = 0;
+  bool asked_for_hand_ = false;  // with both full, to make room
   std::unique_ptr<Skill> take_aside_, put_aside_;
 };
 
@@ -232,6 +233,7 @@ std::vector<Reach> press_reaches(Workbench& bench, const scene::Scene::PartRef& 
 std::vector<Reach> spot_reaches(Workbench& bench, const scene::ButtonRule& spot);
 // Standing before a fixture or region, hands in front of it: for moveto.
 std::vector<Reach> front_reaches(Workbench& bench, const std::string& place);
+bool has_free_hand(const Workbench& bench);
 // Large surfaces, on which nobody minds what is put down for a while.
 bool is_worktop(const scene::Region& region);
 // The region, if any, in whose supports an object is, by geometry.

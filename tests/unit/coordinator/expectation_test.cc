@@ -59,6 +59,14 @@ TEST(Expectation, WhatIsAskedForIsTakenInHandBeforeTheNextTry) {
   EXPECT_THAT(play.report().message, HasSubstr("turn-on Tap\" failed")) << "the outcome tells what was tried";
 }
 
+TEST(Expectation, WhatIsAskedForIsTakenInHandBeforeWhatStandsBesideIt) {
+  Play play;
+  play.world_now(facts({"(On Glass_1 Sink)", "(On Mug_1 Sink)"}));  // both beside the stream
+  ASSERT_TRUE(play.pursue(goal({"(state Mug_1 Water)"})));
+  turn_on_in_vain(play);
+  EXPECT_EQ(play.port.plan_goal.positive, goal({"(Grasping Robot Mug_1)"}).positive);
+}
+
 TEST(Expectation, WhatCannotBeTakenInHandIsPlannedForAsItIs) {
   Play play;
   play.world_now(facts({"(On Mug_1 Sink)"}));

@@ -37,6 +37,24 @@ TEST_F(UntidyKitchen, WhatStandsOnTheBurnerIsPutAside) {
   EXPECT_TRUE(harness_->world().held().empty());
 }
 
+TEST_F(UntidyKitchen, AFullHandIsFreedToClearTheRunningTap) {
+  const auto in_sink = [&](const std::string& name, double x, double y) {
+    put(name, moved(harness_->bench().scene().find_fixture("Sink")->pose, {0, 0, 0.793}) *
+                  Eigen::Translation3d(x, y, 0));
+  };
+  in_sink("Plate_2", 0.33, 0.05);
+  in_sink("Glass_1", 0.20, -0.20);
+  in_sink("Mug_1", 0.20, 0.32);
+  harness_->wait(1.0);
+  expect_done({"moveto", {"Sink"}});
+  expect_done({"turn-on", {"SinkKnob"}});
+  expect_done({"grasp", {"Glass_1"}});
+  expect_done({"grasp", {"Mug_1"}});
+  expect_done({"keep-on", {"Mug_1", "Sink"}});
+  harness_->wait(2.5);
+  EXPECT_TRUE(harness_->facts().contains({"state", "Mug_1", "Water"}));
+}
+
 TEST_F(UntidyKitchen, NeighboursWithoutRoomForFingersArePutAside) {
   // Cans all around a cup, nearer than a finger is thick, and as tall as it.
   const Pose middle = pose("LongCup_1");
