@@ -274,11 +274,12 @@ void apply(const SymAction& action, SymState& state) {
     case Verb::kStop:
       return;
     case Verb::kMoveTo: {
-      const SymState before = state;
-      state.remove_if([&](SymFact fact) {
-        return relation_of(fact) == Relation::kNear && subject_of(fact) == x && object_of(fact) != x &&
-               object_of(fact) != kRobot && !before.holds(object_of(fact));
-      });
+      std::vector<SymFact> over;  // mostly empty
+      for (const SymFact fact : state.facts())
+        if (relation_of(fact) == Relation::kNear && subject_of(fact) == x && object_of(fact) != x &&
+            object_of(fact) != kRobot && !state.holds(object_of(fact)))
+          over.push_back(fact);
+      for (const SymFact fact : over) state.remove(fact);
       state.add(sym_fact(Relation::kNear, kRobot, x));
       return;
     }

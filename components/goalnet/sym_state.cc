@@ -11,8 +11,6 @@ constexpr const char* kRelations[] = {"Near",  "On",          "In",           "G
 
 }  // namespace
 
-bool SymState::has(SymFact fact) const { return std::binary_search(facts_.begin(), facts_.end(), fact); }
-
 void SymState::add(SymFact fact) {
   const auto at = std::lower_bound(facts_.begin(), facts_.end(), fact);
   if (at == facts_.end() || *at != fact) facts_.insert(at, fact);

@@ -23,7 +23,16 @@ constexpr Symbol object_of(SymFact fact) { return static_cast<Symbol>(fact & 0x3
 
 class SymState {
  public:
-  bool has(SymFact fact) const;
+  bool has(SymFact fact) const {
+    // Halved without branches: which way to go is anyone's guess, a processor's too.
+    const SymFact* at = facts_.data();
+    for (std::size_t left = facts_.size(); left > 1;) {
+      const std::size_t half = left / 2;
+      at += at[half - 1] < fact ? half : 0;
+      left -= half;
+    }
+    return !facts_.empty() && *at == fact;
+  }
   bool has(Relation relation, Symbol subject, Symbol object = symbol::kNone) const {
     return has(sym_fact(relation, subject, object));
   }

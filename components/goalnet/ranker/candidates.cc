@@ -15,28 +15,55 @@ bool includes(const std::vector<ClassId>& classes, ClassId id) {
 
 constexpr std::size_t kEnough = 80;  // objects
 
-// A world of very many objects: what the instruction names, what is held, and as many others as fit.
-std::vector<SeenObject> relevant(const Instruction& instruction, const SymState& state) {
-  std::vector<SeenObject> chosen;
-  const auto wanted = [&](const SeenObject& object) {
-    return object.mention >= 0 || state.holds(object.symbol) || object.symbol < kFirstFree;
-  };
-  for (const SeenObject& object : instruction.objects)
-    if (wanted(object) && chosen.size() < kEnough) chosen.push_back(object);
-  for (const SeenObject& object : instruction.objects)
-    if (!wanted(object) && chosen.size() < kEnough) chosen.push_back(object);
-  return chosen;
+// What a state says of one thing, as bits.
+enum : std::uint8_t {
+  kHeld = 1,
+  kNear = 2,
+  kGraspable = 4,
+  kScoops = 8,
+  kDisc = 16,
+  kSoft = 32,
+  kSweet = 64
+};
+
+// Of each symbol below `count`: one look at each fact.
+std::vector<std::uint8_t> things_now(const SymState& state, std::size_t count) {
+  std::vector<std::uint8_t> now(count, 0);
+  for (const SymFact fact : state.facts()) {
+    const Symbol subject = subject_of(fact), object = object_of(fact);
+    const auto mark = [&](Symbol symbol, std::uint8_t bit) {
+      if (symbol < count) now[symbol] |= bit;
+    };
+    switch (relation_of(fact)) {
+      case Relation::kGrasping:
+        if (subject == kRobot) mark(object, kHeld);
+        break;
+      case Relation::kNear:
+        if (subject == kRobot) mark(object, kNear);
+        break;
+      case Relation::kIsGraspable:
+        if (object == kNone) mark(subject, kGraspable);
+        break;
+      case Relation::kIsSqueezeable:
+        if (object == kNone) mark(subject, kSoft);
+        break;
+      case Relation::kState:
+        if (object == kScoopsLeft) mark(subject, kScoops);
+        if (object == kCD) mark(subject, kDisc);
+        if (object == kChocolate) mark(subject, kSweet);
+        break;
+      case Relation::kOn:
+      case Relation::kIn:
+        break;
+    }
+  }
+  return now;
 }
 
 // A thing that can be taken, with what the loops over pairs ask of it.
 struct Movable {
   Symbol symbol;
   bool utensil, scoops, cd, xbox, squeezable;
-};
-
-struct Place {
-  Symbol symbol;
-  bool on, in;
 };
 
 // The facts of one relation about one subject.
@@ -87,57 +114,80 @@ constexpr std::array<DeviceAction, 25> kDeviceActions = {{
 
 }  // namespace
 
-std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon& lexicon,
-                                  const Places& places, const SymState& state) {
+Candidates::Candidates(const Instruction& instruction, const Lexicon& lexicon, const Places& places)
+    : instruction_(instruction) {
+  things_.reserve(instruction.objects.size());
+  for (const SeenObject& object : instruction.objects) {
+    const ObjectClass& c = lexicon.object_class(object.class_id);
+    things_.push_back({.symbol = object.symbol,
+                       .named = object.mention >= 0,
+                       .on = includes(places.on, object.class_id),
+                       .in = includes(places.in, object.class_id),
+                       .utensil = c.utensil,
+                       .xbox = c.name == "xbox",
+                       .vessel = c.vessel || c.dish});
+  }
+}
+
+// A world of very many objects: what the instruction names, what is held, and as many others as fit.
+std::vector<Candidates::Thing> Candidates::relevant(const SymState& state) const {
+  std::vector<Thing> chosen;
+  const auto wanted = [&](const Thing& thing) {
+    return thing.named || state.holds(thing.symbol) || thing.symbol < kFirstFree;
+  };
+  for (const Thing& thing : things_)
+    if (wanted(thing) && chosen.size() < kEnough) chosen.push_back(thing);
+  for (const Thing& thing : things_)
+    if (!wanted(thing) && chosen.size() < kEnough) chosen.push_back(thing);
+  return chosen;
+}
+
+std::vector<SymAction> Candidates::in(const SymState& state) const {
   std::vector<SymAction> list = {SymAction{}};
   list.reserve(512);
-  std::vector<SeenObject> chosen;
-  const std::vector<SeenObject>& objects =
-      instruction.objects.size() > kEnough ? chosen = relevant(instruction, state) : instruction.objects;
+  std::vector<Thing> chosen;
+  const std::vector<Thing>& things = things_.size() > kEnough ? chosen = relevant(state) : things_;
   const auto graspable = [&](Symbol o) { return state.has(Relation::kIsGraspable, o) || state.holds(o); };
-  // Cheap necessary conditions only; what changes nothing is dropped by would_change().
+  // Cheap necessary conditions only; what changes nothing is dropped when it is played.
   const auto offer = [&](const SymAction& action) {
     if (list.size() < kMaxCandidates) list.push_back(action);
   };
+  const std::vector<std::uint8_t> now = things_now(state, instruction_.index.size());
   std::vector<Movable> movable;
   std::vector<Symbol> vessels;
-  std::vector<Place> where;
-  for (const SeenObject& object : objects) {
-    const Symbol o = object.symbol;
-    const Place place{o, includes(places.on, object.class_id), includes(places.in, object.class_id)};
-    if (place.on || place.in) where.push_back(place);
-    const bool held = state.holds(o);
-    if (!held && !state.near(o)) offer({Verb::kMoveTo, o});
-    if (!held && !state.has(Relation::kIsGraspable, o)) continue;
-    offer({held ? Verb::kRelease : Verb::kGrasp, o});
-    const ObjectClass& c = lexicon.object_class(object.class_id);
-    movable.push_back({o, c.utensil, state.is(o, kScoopsLeft), state.is(o, kCD), c.name == "xbox",
-                       state.has(Relation::kIsSqueezeable, o) && state.is(o, kChocolate)});
-    if (c.vessel || c.dish) vessels.push_back(o);
+  std::vector<Thing> where;
+  for (const Thing& thing : things) {
+    const Symbol o = thing.symbol;
+    const std::uint8_t is = now[o];
+    if (thing.on || thing.in) where.push_back(thing);
+    if ((is & (kHeld | kNear)) == 0) offer({Verb::kMoveTo, o});
+    if ((is & (kHeld | kGraspable)) == 0) continue;
+    offer({(is & kHeld) != 0 ? Verb::kRelease : Verb::kGrasp, o});
+    movable.push_back({o, thing.utensil, (is & kScoops) != 0, (is & kDisc) != 0, thing.xbox,
+                       (is & kSoft) != 0 && (is & kSweet) != 0});
+    if (thing.vessel) vessels.push_back(o);
   }
   for (const Movable& x : movable) {
     const auto on = facts_about(state, Relation::kOn, x.symbol),
                in = facts_about(state, Relation::kIn, x.symbol);
-    for (const Place& y : where) {
+    for (const Thing& y : where) {
       if (x.symbol == y.symbol) continue;
       if (y.on && !includes(on, y.symbol)) offer({Verb::kKeepOn, x.symbol, y.symbol});
       if (y.in && !includes(in, y.symbol)) offer({Verb::kKeepIn, x.symbol, y.symbol});
     }
   }
-  SymState beside_doors = state;
-  for (const Symbol device : {kMicrowave, kFridge})
-    beside_doors.add(sym_fact(Relation::kNear, kRobot, device));
   for (const DeviceAction& device : kDeviceActions) {
-    if (instruction.find(device.device) < 0) continue;
-    const bool tv = device.action.verb == Verb::kPress && device.action.x > kTv_1Remote_1PowerButton;
+    if (instruction_.find(device.device) < 0) continue;
+    const auto [verb, part, none] = device.action;
+    const bool tv = verb == Verb::kPress && part > kTv_1Remote_1PowerButton;
     if (tv && !state.is(kTv_1, kIsOn)) continue;  // channels and volume do nothing while the set is off
-    if (device.action.verb == Verb::kOpen &&
-        (device.action.x == kMicrowave         ? state.is(kMicrowave, kDoorIsOpen)
-         : device.action.x == kFridgeLeftDoor  ? state.is(kFridge, kLeftDoorIsOpen)
-         : device.action.x == kFridgeRightDoor ? state.is(kFridge, kRightDoorIsOpen)
-                                               : state.is(kBagOfChips_1, kIsOpen)))
-      continue;
-    if (device.action.verb == Verb::kClose && !applicable(device.action, beside_doors)) continue;
+    if (verb == Verb::kOpen || verb == Verb::kClose) {
+      const bool open = part == kMicrowave         ? state.is(kMicrowave, kDoorIsOpen)
+                        : part == kFridgeLeftDoor  ? state.is(kFridge, kLeftDoorIsOpen)
+                        : part == kFridgeRightDoor ? state.is(kFridge, kRightDoorIsOpen)
+                                                   : state.is(kBagOfChips_1, kIsOpen);
+      if (open != (verb == Verb::kClose)) continue;
+    }
     offer(device.action);
   }
   for (const Symbol x : vessels) {
@@ -150,12 +200,12 @@ std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon&
   }
   for (const Symbol y : vessels) {
     for (const Symbol ingredient : {kSalt_1, kRamen_1, kBoiledEgg_1})
-      if (instruction.find(ingredient) >= 0 && graspable(ingredient)) offer({Verb::kAdd, ingredient, y});
+      if (instruction_.find(ingredient) >= 0 && graspable(ingredient)) offer({Verb::kAdd, ingredient, y});
     if (state.is(kSpoon_1, kScoopsLeft)) offer({Verb::kAdd, kIceCreamScoop, y});
     for (const Movable& x : movable)
       if (x.symbol != y && x.squeezable) offer({Verb::kSqueeze, x.symbol, y});
     for (const Symbol utensil : {kFork_1, kSpoon_1})
-      if (instruction.find(utensil) >= 0) offer({Verb::kPlace, utensil, y});
+      if (instruction_.find(utensil) >= 0) offer({Verb::kPlace, utensil, y});
   }
   for (const Movable& x : movable)
     for (const Movable& y : movable) {

@@ -14,10 +14,26 @@ struct Places {
   std::vector<ClassId> on, in;  // sorted
 };
 
-// All actions that can be reached and would change something; kStop comes first. At most kMaxCandidates:
-// worlds with very many objects keep those the instruction names.
+// At most so many: worlds with very many objects keep those the instruction names.
 inline constexpr std::size_t kMaxCandidates = 4096;
-std::vector<SymAction> candidates(const Instruction& instruction, const Lexicon& lexicon,
-                                  const Places& places, const SymState& state);
+
+// Refers to the instruction, which must outlive it.
+class Candidates {
+ public:
+  Candidates(const Instruction& instruction, const Lexicon& lexicon, const Places& places);
+  // All actions that can be reached and would change something; kStop comes first.
+  std::vector<SymAction> in(const SymState& state) const;
+
+ private:
+  // An object, with what never changes of it.
+  struct Thing {
+    Symbol symbol;
+    bool named, on, in, utensil, xbox, vessel;
+  };
+  std::vector<Thing> relevant(const SymState& state) const;
+
+  const Instruction& instruction_;
+  std::vector<Thing> things_;
+};
 
 }  // namespace goalnet::inference

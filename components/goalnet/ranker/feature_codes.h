@@ -1,6 +1,8 @@
 // The small numbers that features are made of, and how features become buckets.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,14 +14,15 @@ namespace goalnet::inference {
 inline constexpr std::uint32_t kFeatureBits = 18;
 inline constexpr std::uint32_t kFeatureBuckets = 1u << kFeatureBits;
 
-inline std::uint32_t mix(std::uint32_t hash, std::uint32_t value) {
+// Small and called very often: a call would cost more than the work.
+[[gnu::always_inline]] inline std::uint32_t mix(std::uint32_t hash, std::uint32_t value) {
   hash ^= value * 0xcc9e2d51u;
   hash = (hash << 13 | hash >> 19) * 5u + 0xe6546b64u;
   return hash ^ hash >> 15;
 }
 
 template <class... Values>
-std::uint32_t feature(std::uint32_t kind, Values... values) {
+[[gnu::always_inline]] inline std::uint32_t feature(std::uint32_t kind, Values... values) {
   std::uint32_t hash = kind * 0x9e3779b1u;
   ((hash = mix(hash, static_cast<std::uint32_t>(values))), ...);
   hash ^= hash >> 16;
@@ -28,6 +31,14 @@ std::uint32_t feature(std::uint32_t kind, Values... values) {
   return hash & (kFeatureBuckets - 1);
 }
 
+// The features of an action at an earlier moment. Some of them stay as they are as long as the action's
+// things do, and to copy them is much quicker than to hash them again.
+struct EarlierFeatures {
+  std::array<std::uint64_t, 2> things = {~std::uint64_t{0}, 0};  // how they were
+  std::vector<std::uint32_t> row;
+  std::array<std::uint32_t, 12> ends{};  // of the parts that stay, in the row
+};
+
 // Appends features without asking each time whether there is room.
 class Appender {
  public:
@@ -35,20 +46,48 @@ class Appender {
     constexpr std::size_t kMost = 128, kMostForWord = 8;
     const std::size_t before = out.size();
     out.resize(before + kMost + kMostForWord * (instruction.unigrams.size() + instruction.bigrams.size()));
-    next_ = out.data() + before;
+    first_ = next_ = out.data() + before;
+  }
+  // With steady() parts, that are taken from `earlier` when it was made of the same things, or else are put
+  // there.
+  Appender(std::vector<std::uint32_t>& out, const Instruction& instruction, EarlierFeatures& earlier,
+           std::array<std::uint64_t, 2> things)
+      : Appender(out, instruction) {
+    earlier_ = &earlier;
+    known_ = earlier.things == things;
+    earlier.things = things;
+    if (known_) std::copy(earlier.row.begin(), earlier.row.end(), first_);
   }
   Appender(const Appender&) = delete;
   Appender& operator=(const Appender&) = delete;
-  ~Appender() { out_.resize(static_cast<std::size_t>(next_ - out_.data())); }
+  ~Appender() {
+    if (earlier_ != nullptr && !known_) earlier_->row.assign(first_, next_);
+    out_.resize(static_cast<std::size_t>(next_ - out_.data()));
+  }
 
   template <class... Values>
-  void operator()(Values... values) {
+  [[gnu::always_inline]] void operator()(Values... values) {
     *next_++ = feature(values...);
+  }
+
+  // `append` adds the features of the next part that stays.
+  template <class Append>
+  [[gnu::always_inline]] void steady(Append append) {
+    std::uint32_t& end = earlier_->ends[part_++];
+    if (known_) {
+      next_ = first_ + end;
+      return;
+    }
+    append();
+    end = static_cast<std::uint32_t>(next_ - first_);
   }
 
  private:
   std::vector<std::uint32_t>& out_;
-  std::uint32_t* next_ = nullptr;
+  std::uint32_t *first_ = nullptr, *next_ = nullptr;
+  EarlierFeatures* earlier_ = nullptr;
+  bool known_ = false;
+  std::size_t part_ = 0;
 };
 
 // A small count, cut off.

@@ -26,6 +26,7 @@ FeatureContext::FeatureContext(const Instruction& instruction, const Lexicon& le
       hints_(hints),
       run_(run),
       handled_(instruction.objects.size(), 0),
+      near_or_held_(instruction.objects.size(), 0),
       last_use_(instruction.objects.size(), 0),
       last_place_(instruction.objects.size(), 0),
       named_(0),
@@ -45,10 +46,17 @@ FeatureContext::FeatureContext(const Instruction& instruction, const Lexicon& le
   }
   if (!run.actions.empty()) last_ = run.actions.back();
   if (run.actions.size() > 1) before_last_ = run.actions[run.actions.size() - 2];
+  for (const SymFact fact : run.now.facts()) {
+    const Relation relation = relation_of(fact);
+    if ((relation != Relation::kNear && relation != Relation::kGrasping) || subject_of(fact) != kRobot)
+      continue;
+    if (const int object = instruction.find(object_of(fact)); object >= 0)
+      near_or_held_[static_cast<std::size_t>(object)] |= relation == Relation::kGrasping ? 1 : 2;
+  }
   std::vector<std::uint8_t> mention_done(instruction.mentions.size(), 0);
   for (std::size_t i = 0; i < instruction.objects.size(); ++i) {
     const SeenObject& object = instruction.objects[i];
-    const bool held = run.now.holds(object.symbol);
+    const bool held = (near_or_held_[i] & 1) != 0;
     held_ += held;
     if (object.mention < 0) continue;
     held_named_ += held;
@@ -70,6 +78,17 @@ FeatureContext::FeatureContext(const Instruction& instruction, const Lexicon& le
   codes_.reserve(instruction.objects.size());
   for (std::size_t i = 0; i < instruction.objects.size(); ++i) codes_.push_back(make_code(i));
   place_objects();
+  read_steps();
+  for (const SymAction& action : run.actions) done_.emplace_back(action.verb, class_code(action.x));
+}
+
+void FeatureContext::read_steps() {
+  bool first = true;
+  for (const SymAction& read : hints_.reading.macros) {
+    const bool done = std::find(run_.actions.begin(), run_.actions.end(), read) != run_.actions.end();
+    reading_.push_back({read, class_code(read.x), class_code(read.y), done ? 5u : first ? 7u : 6u});
+    if (!done) first = false;
+  }
 }
 
 // Where the objects are and what is in them: one look at each fact.
@@ -92,19 +111,22 @@ void FeatureContext::place_objects() {
       if (object >= kCoffee && object <= kEgg) code.contents |= 4u;
     }
   }
+  for (ObjectCode& code : codes_) {
+    const auto append = [&](std::uint32_t value, int bits) { code.changing = code.changing << bits | value; };
+    append(code.place, 17);
+    append(code.place_named, 1);
+    append(code.state, 4);
+    append(code.contents, 3);
+    append(code.turn, 2);
+    append(code.last_use, 5);
+    append(code.last_place, 5);
+  }
 }
 
 FeatureContext::ObjectCode FeatureContext::make_code(std::size_t index) const {
   ObjectCode code;
-  code.index = static_cast<int>(index);
   const SeenObject& object = instruction_.objects[index];
-  const Symbol symbol = object.symbol;
-  const SymState& now = run_.now;
-  code.held = now.holds(symbol);
   code.name = object.name_hash;
-  const std::uint32_t handled = handled_[index];
-  code.handled = handled != 0;
-  code.named = object.grounded || object.level != NameLevel::kNone;
   code.mention = static_cast<std::uint32_t>(object.level) * 2 + (object.grounded ? 1 : 0);
   code.mention = code.mention * 4 + (object.rivals == 0   ? 0
                                      : object.rivals == 1 ? 1
@@ -126,7 +148,7 @@ FeatureContext::ObjectCode FeatureContext::make_code(std::size_t index) const {
                                                 : 3u;
   code.last_use = last_use_[index];
   code.last_place = last_place_[index];
-  code.state = (code.held ? 1u : 0u) + (now.near(symbol) ? 2u : 0u) + handled * 4u;
+  code.state = near_or_held_[index] + handled_[index] * 4u;
   return code;
 }
 
@@ -157,54 +179,55 @@ std::uint32_t FeatureContext::class_code(Symbol symbol) const {
   return index < 0 ? 100000u + symbol : instruction_.objects[static_cast<std::size_t>(index)].class_id;
 }
 
-FeatureContext::ObjectCode FeatureContext::code(Symbol symbol) const {
+const FeatureContext::ObjectCode& FeatureContext::code(Symbol symbol, ObjectCode& other) const {
   const int index = instruction_.find(symbol);
   if (index >= 0) return codes_[static_cast<std::size_t>(index)];
-  ObjectCode code;
-  code.class_code = 100000u + symbol;
-  code.name = symbol;
-  return code;
+  other.class_code = 100000u + symbol;
+  other.name = symbol;
+  return other;
 }
 
-float FeatureContext::vote(const SymAction& action, const ObjectCode& x_code,
-                           const ObjectCode& y_code) const {
-  const ClassId x = x_code.index >= 0 ? static_cast<ClassId>(x_code.class_code) : kNoClass;
-  const ClassId y = y_code.index >= 0 ? static_cast<ClassId>(y_code.class_code) : kNoClass;
-  const auto key = std::tuple(action.verb, x, y);
+float FeatureContext::vote(const SymAction& action) const {
+  const auto class_of = [&](Symbol symbol) {
+    const int index = instruction_.find(symbol);
+    return index < 0 ? kNoClass : instruction_.objects[static_cast<std::size_t>(index)].class_id;
+  };
+  const auto key = std::tuple(
+      action.verb, class_of(uses_device(action.verb) ? device_of(action.x) : action.x), class_of(action.y));
   const auto of = [](const NeighbourVote& vote) { return std::tuple(vote.verb, vote.x, vote.y); };
   const auto found = std::ranges::lower_bound(hints_.votes, key, {}, of);
   return found != hints_.votes.end() && of(*found) == key ? found->weight : 0;
 }
 
+ActionHints FeatureContext::hints(const SymAction& action) const {
+  return {.votes = vote_code(vote(action)),
+          .habits = vote_code(habit(action)),
+          .by_class = class_key(action),
+          .by_object = step_key(action.verb, action.x, action.y)};
+}
+
 // What the grammar's reading says about an action.
 std::uint32_t FeatureContext::reading_code(const SymAction& action, const ObjectCode& x,
                                            const ObjectCode& y) const {
-  const Reading& reading = hints_.reading;
-  std::uint32_t best = reading.macros.empty() ? 0 : 1;
-  bool first = true;
-  for (const SymAction& read : reading.macros) {
-    const bool done = std::find(run_.actions.begin(), run_.actions.end(), read) != run_.actions.end();
+  std::uint32_t best = reading_.empty() ? 0 : 1;
+  for (const ReadStep& read : reading_) {
+    const bool same_verb = read.action.verb == action.verb;
     std::uint32_t match = 1;
-    if (read == action)
-      match = done ? 5 : first ? 7 : 6;
-    else if (read.verb == action.verb && class_code(read.x) == x.class_code &&
-             class_code(read.y) == y.class_code)
+    if (read.action == action)
+      match = read.match;
+    else if (same_verb && read.x_class == x.class_code && read.y_class == y.class_code)
       match = 4;
-    else if (action.verb == Verb::kGrasp && (read.x == action.x || read.y == action.x))
+    else if (action.verb == Verb::kGrasp && (read.action.x == action.x || read.action.y == action.x))
       match = 3;
-    else if (read.verb == action.verb)
+    else if (same_verb)
       match = 2;
     best = std::max(best, match);
-    if (!done) first = false;
   }
-  return best * 2 + (reading.complete ? 1 : 0);
+  return best * 2 + (hints_.reading.complete ? 1 : 0);
 }
 
 std::uint32_t FeatureContext::repeats(const SymAction& action, std::uint32_t x_class) const {
-  int count = 0;
-  for (const SymAction& done : run_.actions)
-    count += done.verb == action.verb && class_code(done.x) == x_class;
-  return few(count, 4);
+  return few(static_cast<int>(std::count(done_.begin(), done_.end(), std::pair(action.verb, x_class))), 4);
 }
 
 }  // namespace goalnet::inference

@@ -9,7 +9,9 @@ using namespace symbol;
 void FeatureContext::extract_stop(std::vector<std::uint32_t>& out) const {
   Appender add(out, instruction_);
   const std::uint32_t last = verb_code(last_), before = verb_code(before_last_);
-  const ObjectCode x = code(uses_device(last_.verb) ? device_of(last_.x) : last_.x), y = code(last_.y);
+  ObjectCode other_x, other_y;
+  const ObjectCode &x = code(uses_device(last_.verb) ? device_of(last_.x) : last_.x, other_x),
+                   &y = code(last_.y, other_y);
   const std::uint32_t vote_stop = vote_code(stop_vote());
   add(1000);
   add(1001, step_);
@@ -61,13 +63,16 @@ void FeatureContext::extract_stop(std::vector<std::uint32_t>& out) const {
 }
 
 // What does not change during a run: the words, the classes, the names.
-void FeatureContext::extract_fixed(const SymAction& action, std::vector<std::uint32_t>& out) const {
+void FeatureContext::extract_fixed(const SymAction& action, const ActionHints& hints,
+                                   std::vector<std::uint32_t>& out) const {
   if (action.verb == Verb::kStop) return;
   Appender add(out, instruction_);
   const std::uint32_t v = verb_code(action), verb_only = static_cast<std::uint32_t>(action.verb);
   const std::uint32_t w0 = instruction_.first_verb, frame = instruction_.first_frame;
-  const ObjectCode x = code(uses_device(action.verb) ? device_of(action.x) : action.x), y = code(action.y);
-  const std::uint32_t votes = vote_code(vote(action, x, y));
+  ObjectCode other_x, other_y;
+  const ObjectCode &x = code(uses_device(action.verb) ? device_of(action.x) : action.x, other_x),
+                   &y = code(action.y, other_y);
+  const std::uint32_t votes = hints.votes, habits = hints.habits;
   add(105, v, x.clause, x.mention);
   add(106, v, x.clause, x.class_code);
   add(107, v, frame, x.mention, y.mention);
@@ -84,7 +89,6 @@ void FeatureContext::extract_fixed(const SymAction& action, std::vector<std::uin
   add(35, v, votes);
   add(36, v, votes, x.mention);
   add(37, votes);
-  const std::uint32_t habits = vote_code(habit(action));
   add(150, habits);
   add(151, v, habits);
   add(152, habits, votes);
@@ -120,27 +124,29 @@ void FeatureContext::extract_fixed(const SymAction& action, std::vector<std::uin
 }
 
 // What depends on the moment: what was done, where things are.
-void FeatureContext::extract_moment(const SymAction& action, std::vector<std::uint32_t>& out) const {
+void FeatureContext::extract_moment(const SymAction& action, const ActionHints& hints,
+                                    EarlierFeatures& earlier, std::vector<std::uint32_t>& out) const {
   if (action.verb == Verb::kStop) return extract_stop(out);
-  Appender add(out, instruction_);
   const std::uint32_t v = verb_code(action), last = verb_code(last_), before = verb_code(before_last_);
   const std::uint32_t verb_only = static_cast<std::uint32_t>(action.verb);
-  const ObjectCode x = code(uses_device(action.verb) ? device_of(action.x) : action.x), y = code(action.y);
+  ObjectCode other_x, other_y;
+  const ObjectCode &x = code(uses_device(action.verb) ? device_of(action.x) : action.x, other_x),
+                   &y = code(action.y, other_y);
   const std::uint32_t w0 = instruction_.first_verb, frame = instruction_.first_frame;
   const std::uint32_t same =
       (last_.x == action.x ? 1u : 0u) + (last_.y == action.y && action.y != kNone ? 2u : 0u) +
       (last_.x == action.y && action.y != kNone ? 4u : 0u) + (last_.y == action.x ? 8u : 0u);
-  const std::uint32_t votes = vote_code(vote(action, x, y)), on = switch_code(action, run_.now);
+  const std::uint32_t votes = hints.votes, habits = hints.habits, on = switch_code(action, run_.now);
   const std::uint32_t read = reading_code(action, x, y), again = repeats(action, x.class_code);
+  Appender add(out, instruction_, earlier, {x.changing << 5 | again << 2 | on, y.changing});
   add(100, read);
   add(101, v, read);
   add(102, read, step_);
   add(103, read, votes);
-  const std::uint32_t habits = vote_code(habit(action));
   add(156, habits, x.state, step_);
   add(157, v, habits, last);
-  const std::uint32_t next = vote_code(next_by_words_.share(class_key(action))),
-                      here = vote_code(next_by_room_.share(step_key(action.verb, action.x, action.y)));
+  const std::uint32_t next = vote_code(next_by_words_.share(hints.by_class)),
+                      here = vote_code(next_by_room_.share(hints.by_object));
   add(160, next);
   add(161, v, next);
   add(162, next, x.mention);
@@ -152,26 +158,32 @@ void FeatureContext::extract_moment(const SymAction& action, std::vector<std::ui
   add(168, next, read);
   add(169, next, step_);
   add(104, read, frame);
-  add(108, v, frame, x.state);
+  add.steady([&] { add(108, v, frame, x.state); });
   add(109, v, frame, last, x.state);
-  add(110, v, x.last_use);
-  add(111, v, x.last_use, x.mention);
-  add(112, v, x.last_place);
-  add(113, v, again);
-  add(114, v, again, x.mention);
-  add(115, v, x.turn);
-  add(116, v, x.turn, x.mention);
-  add(117, v, x.turn, x.clause);
-  add(118, v, x.contents);
-  add(119, v, x.contents, frame);
+  add.steady([&] {
+    add(110, v, x.last_use);
+    add(111, v, x.last_use, x.mention);
+    add(112, v, x.last_place);
+    add(113, v, again);
+    add(114, v, again, x.mention);
+    add(115, v, x.turn);
+    add(116, v, x.turn, x.mention);
+    add(117, v, x.turn, x.clause);
+    add(118, v, x.contents);
+    add(119, v, x.contents, frame);
+  });
   add(120, v, world_);
-  add(121, v, x.place_named, x.mention);
-  add(122, v, x.clause, x.state);
+  add.steady([&] {
+    add(121, v, x.place_named, x.mention);
+    add(122, v, x.clause, x.state);
+  });
   add(123, v, x.class_code, x.last_use, last);
-  add(10, v, x.state);
-  add(11, v, x.state, x.mention);
-  add(12, v, x.place);
-  add(13, v, x.place, x.mention);
+  add.steady([&] {
+    add(10, v, x.state);
+    add(11, v, x.state, x.mention);
+    add(12, v, x.place);
+    add(13, v, x.place, x.mention);
+  });
   add(20, v, last);
   add(21, v, last, before);
   add(22, v, last, same);
@@ -182,34 +194,42 @@ void FeatureContext::extract_moment(const SymAction& action, std::vector<std::ui
   add(27, v, named_, named_handled_);
   add(28, v, held_, held_named_, x.state);
   add(29, v, x.class_code, same, last);
-  add(31, v, w0, x.state);
+  add.steady([&] { add(31, v, w0, x.state); });
   add(32, v, w0, last, x.state);
   add(38, votes, step_, x.state);
   add(39, v, votes, last);
   add(40, verb_only, x.mention, x.state, step_);
-  add(41, v, x.state, x.class_code);
+  add.steady([&] { add(41, v, x.state, x.class_code); });
   if (on != 0) {
-    add(130, v, on);
-    add(131, v, on, frame);
+    add.steady([&] {
+      add(130, v, on);
+      add(131, v, on, frame);
+    });
     add(132, v, on, last);
     add(133, v, on, read);
-    add(134, v, on, again);
-    for (const std::uint32_t word : instruction_.unigrams) add(135, v, on, word);
-    for (const std::uint32_t pair : instruction_.bigrams) add(136, v, on, pair);
+    add.steady([&] {
+      add(134, v, on, again);
+      for (const std::uint32_t word : instruction_.unigrams) add(135, v, on, word);
+      for (const std::uint32_t pair : instruction_.bigrams) add(136, v, on, pair);
+    });
   }
   if (action.y != kNone) {
-    add(142, v, y.turn, x.turn);
-    add(143, v, y.last_place);
+    add.steady([&] {
+      add(142, v, y.turn, x.turn);
+      add(143, v, y.last_place);
+    });
     add(144, v, y.last_place, last_.y == action.y ? 1 : 0);
-    add(145, v, y.last_use);
-    add(146, v, y.contents, x.contents);
-    add(54, v, y.state);
-    add(58, v, x.place, y.class_code);
-    add(60, v, x.state, y.state);
+    add.steady([&] {
+      add(145, v, y.last_use);
+      add(146, v, y.contents, x.contents);
+      add(54, v, y.state);
+      add(58, v, x.place, y.class_code);
+      add(60, v, x.state, y.state);
+    });
   }
-  for (const std::uint32_t word : instruction_.unigrams) {
-    add(74, v, word, x.state);
-  }
+  add.steady([&] {
+    for (const std::uint32_t word : instruction_.unigrams) add(74, v, word, x.state);
+  });
 }
 
 }  // namespace goalnet::inference

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "components/goalnet/ranker/feature_codes.h"
@@ -20,28 +21,46 @@ struct PartialRun {
   std::vector<SymAction> actions;
 };
 
+// What is the same for an action all through a run.
+struct ActionHints {
+  std::uint32_t votes = 0, habits = 0;  // how far neighbours did it, by class and by object, see vote_code()
+  StepKey by_class = 0, by_object = 0;
+};
+
 // Everything about a decision that its candidates share. Make one per decision; it refers to its arguments.
 class FeatureContext {
  public:
   FeatureContext(const Instruction& instruction, const Lexicon& lexicon, const Hints& hints,
                  const PartialRun& run);
 
+  ActionHints hints(const SymAction& action) const;
   // Append features of `action` to `out`; numbers below kFeatureBuckets, possibly repeated. The fixed ones
-  // are the same all through a run.
-  void extract_fixed(const SymAction& action, std::vector<std::uint32_t>& out) const;
-  void extract_moment(const SymAction& action, std::vector<std::uint32_t>& out) const;
+  // are the same all through a run. `earlier`: empty, or from another moment of the same run and action.
+  void extract_fixed(const SymAction& action, const ActionHints& hints,
+                     std::vector<std::uint32_t>& out) const;
+  void extract_moment(const SymAction& action, const ActionHints& hints, EarlierFeatures& earlier,
+                      std::vector<std::uint32_t>& out) const;
 
  private:
   struct ObjectCode {
     std::uint32_t mention = 0, state = 0, before = 0, class_code = 0, rank = 0, place = 0, name = 0;
     std::uint32_t clause = 0, contents = 0, turn = 0, last_use = 0, last_place = 0;
-    bool named = false, held = false, handled = false, place_named = false;
-    int index = -1, mention_index = -1;
+    bool place_named = false;
+    int mention_index = -1;
+    std::uint64_t changing = 0;  // all that changes during a run, as one number
+  };
+  // A step of the grammar's reading.
+  struct ReadStep {
+    SymAction action;
+    std::uint32_t x_class, y_class;
+    std::uint32_t match;  // what reading_code() says of the same action
   };
   ObjectCode make_code(std::size_t object) const;  // all but where it is and what is in it
   void place_objects();
-  ObjectCode code(Symbol object) const;
-  float vote(const SymAction& action, const ObjectCode& x, const ObjectCode& y) const;
+  void read_steps();
+  // Of an object of this world, or `other`, made for what is none.
+  const ObjectCode& code(Symbol object, ObjectCode& other) const;
+  float vote(const SymAction& action) const;
   float stop_vote() const;
   StepKey class_key(const SymAction& action) const;
   float habit(const SymAction& action) const;
@@ -55,11 +74,14 @@ class FeatureContext {
   const Hints& hints_;
   const PartialRun& run_;
   std::vector<std::uint8_t> handled_;                // per object: 1 moved or used, 2 as a place
+  std::vector<std::uint8_t> near_or_held_;           // per object: 1 held, 2 near, of the robot
   std::vector<std::uint8_t> last_use_, last_place_;  // per object: the verb last done with it, 0 none
   std::vector<ObjectCode> codes_;                    // of the instruction's objects
   int next_mention_ = 0;                             // the first that nothing was done with yet
   std::uint32_t world_ = 0;                          // which devices are on or open
   std::uint32_t read_ = 0;                           // how much of the grammar's reading was done
+  std::vector<ReadStep> reading_;
+  std::vector<std::pair<Verb, std::uint32_t>> done_;  // of each action of the run, with the class of its x
   std::uint32_t named_, named_handled_, held_named_, held_;
   std::uint32_t step_;
   SymAction last_, before_last_;

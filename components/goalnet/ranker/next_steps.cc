@@ -7,19 +7,20 @@ namespace goalnet::inference {
 
 NextSteps::NextSteps(const std::vector<Plan>& plans, const std::vector<StepKey>& done) {
   float total = 1e-6f;
-  std::vector<StepKey> left;
+  std::vector<bool> met;  // of what was done
   for (const Plan& plan : plans) {
-    left = done;
+    met.assign(done.size(), false);
+    std::size_t common = 0;
     std::optional<StepKey> next;
     for (const StepKey step : plan.steps) {
-      const auto found = std::find(left.begin(), left.end(), step);
-      if (found != left.end())
-        left.erase(found);
+      std::size_t i = 0;
+      while (i < done.size() && (done[i] != step || met[i])) ++i;
+      if (i < done.size())
+        met[i] = true, ++common;
       else if (!next)
         next = step;
     }
-    const auto all = static_cast<float>(done.size() + 1);
-    const float fit = (all - static_cast<float>(left.size())) / all;
+    const float fit = static_cast<float>(common + 1) / static_cast<float>(done.size() + 1);
     const float weight = plan.weight * fit * fit;
     total += weight;
     if (!next) {

@@ -8,14 +8,16 @@ namespace goalnet::inference {
 Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const Places& places,
                    const Hints& hints, const PartialRun& run) {
   Moment moment;
-  moment.actions = candidates(instruction, lexicon, places, run.now);
+  moment.actions = Candidates(instruction, lexicon, places).in(run.now);
   const FeatureContext context(instruction, lexicon, hints, run);
   moment.decision.features.reserve(moment.actions.size() * 120);
   moment.decision.offsets.reserve(moment.actions.size() + 1);
   moment.decision.offsets.push_back(0);
   for (const SymAction& action : moment.actions) {
-    context.extract_fixed(action, moment.decision.features);
-    context.extract_moment(action, moment.decision.features);
+    const ActionHints action_hints = context.hints(action);
+    EarlierFeatures earlier;
+    context.extract_fixed(action, action_hints, moment.decision.features);
+    context.extract_moment(action, action_hints, earlier, moment.decision.features);
     moment.decision.offsets.push_back(static_cast<std::uint32_t>(moment.decision.features.size()));
   }
   return moment;
@@ -26,7 +28,7 @@ Rollout::Rollout(const LogLinear& model, const Instruction& instruction, const L
     : model_(model),
       instruction_(instruction),
       lexicon_(lexicon),
-      places_(places),
+      candidates_(instruction, lexicon, places),
       hints_(hints),
       start_(start) {
   Node root;
@@ -40,25 +42,29 @@ void Rollout::expand(std::size_t index) {
   const FeatureContext context(instruction_, lexicon_, hints_, nodes_[index].run);
   struct Choice {
     SymAction action;
-    float fixed;
+    Known* known;
   };
+  const std::vector<SymAction> offered = candidates_.in(nodes_[index].run.now);
   std::vector<Choice> choices;
+  choices.reserve(offered.size());
   float most = -1e9f;
-  for (const SymAction& action : candidates(instruction_, lexicon_, places_, nodes_[index].run.now)) {
-    const auto [fixed, added] = fixed_.try_emplace(step_key(action.verb, action.x, action.y), 0.0f);
-    if (added) {
+  for (const SymAction& action : offered) {
+    const auto [number, is_new] = numbers_.number(step_key(action.verb, action.x, action.y));
+    Known& known = is_new ? known_.emplace_back() : known_[number];
+    if (is_new) {
+      known.hints = context.hints(action);
       features_.clear();
-      context.extract_fixed(action, features_);
-      fixed->second = model_.score(features_);
+      context.extract_fixed(action, known.hints, features_);
+      known.score = model_.score(features_);
     }
-    if (action.verb != Verb::kStop) most = std::max(most, fixed->second);
-    choices.push_back({action, fixed->second});
+    if (action.verb != Verb::kStop) most = std::max(most, known.score);
+    choices.push_back({action, &known});
   }
   // What the words alone make this unlikely is not looked at: a fraction of the work, and the runs drawn are
   // no worse.
   constexpr float kMargin = 2.5f;
   std::erase_if(choices, [&](const Choice& choice) {
-    return choice.action.verb != Verb::kStop && choice.fixed < most - kMargin;
+    return choice.action.verb != Verb::kStop && choice.known->score < most - kMargin;
   });
   std::vector<SymAction> actions;
   actions.reserve(choices.size());
@@ -66,12 +72,12 @@ void Rollout::expand(std::size_t index) {
   offsets_.assign(1, 0);
   for (const Choice& choice : choices) {
     actions.push_back(choice.action);
-    context.extract_moment(choice.action, features_);
+    context.extract_moment(choice.action, choice.known->hints, choice.known->earlier, features_);
     offsets_.push_back(static_cast<std::uint32_t>(features_.size()));
   }
   std::vector<float> sum;
   model_.score(features_, offsets_, sum);
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = choices[i].fixed + sum[i];
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = choices[i].known->score + sum[i];
   LogLinear::softmax(sum);
   Node& node = nodes_[index];
   node.actions = std::move(actions);

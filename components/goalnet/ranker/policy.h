@@ -1,7 +1,7 @@
 // The log-linear ranker as a policy: which action next, given the instruction, the world and what was done.
 #pragma once
 
-#include <unordered_map>
+#include <deque>
 #include <vector>
 
 #include "components/goalnet/random.h"
@@ -9,6 +9,7 @@
 #include "components/goalnet/ranker/features.h"
 #include "components/goalnet/ranker/log_linear.h"
 #include "components/goalnet/ranker/run_pool.h"
+#include "components/goalnet/ranker/step_table.h"
 
 namespace goalnet::inference {
 
@@ -46,6 +47,12 @@ class Rollout {
     std::size_t primitive = 0;  // actions so far, means included
     bool expanded = false;
   };
+  // What is remembered of an action from moment to moment.
+  struct Known {
+    float score = 0;  // of its fixed features
+    ActionHints hints;
+    EarlierFeatures earlier;
+  };
   void expand(std::size_t index);
   int follow(std::size_t index, std::size_t choice);
   template <class Choose>
@@ -54,11 +61,12 @@ class Rollout {
   const LogLinear& model_;
   const Instruction& instruction_;
   const Lexicon& lexicon_;
-  const Places& places_;
+  const Candidates candidates_;
   const Hints& hints_;
   const SymState start_;
   std::vector<Node> nodes_;
-  std::unordered_map<StepKey, float> fixed_;  // score of what does not change during a run
+  StepTable numbers_;        // of actions
+  std::deque<Known> known_;  // by these numbers
   std::vector<std::uint32_t> features_, offsets_;
   std::size_t moments_ = 0;
 };

@@ -2,38 +2,31 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "components/goalnet/ranker/count_common.h"
+#include "components/goalnet/ranker/edit_distance.h"
 
 namespace goalnet::inference {
 namespace {
 
-// As the published evaluation spells actions: "keep in" counts as "keep on".
-bool same(const SymAction& a, const SymAction& b) {
-  const auto kind = [](Verb verb) {
-    return verb == Verb::kKeepIn || verb == Verb::kKeepNear ? Verb::kKeepOn : verb;
-  };
-  return kind(a.verb) == kind(b.verb) && a.x == b.x && a.y == b.y;
+// As the published evaluation spells actions: "keep in" counts as "keep on". The sixteen verbs that are left
+// need four bits, symbols fourteen.
+std::uint32_t spelled(const SymAction& action) {
+  static_assert(kVerbs == 18 && kMaxSymbols == 1u << 14);
+  const auto verb = static_cast<std::uint32_t>(action.verb), keep = static_cast<std::uint32_t>(Verb::kKeepOn);
+  const std::uint32_t kind = verb <= keep ? verb : std::max(verb - 2, keep);
+  return kind << 28 | static_cast<std::uint32_t>(action.x) << 14 | action.y;
 }
 
 float edit_agreement(const std::vector<SymAction>& left, const std::vector<SymAction>& right) {
   constexpr std::size_t kLongest = 128;
   if (left.empty() || right.empty()) return 0;
+  std::array<std::uint32_t, kLongest> a, b;
   const std::size_t n = std::min(left.size(), kLongest), m = std::min(right.size(), kLongest);
-  std::array<std::uint16_t, kLongest + 1> row;
-  std::iota(row.begin(), row.begin() + static_cast<long>(m) + 1, std::uint16_t{0});
-  for (std::size_t i = 1; i <= n; ++i) {
-    std::uint16_t diagonal = row[0];
-    row[0] = static_cast<std::uint16_t>(i);
-    for (std::size_t j = 1; j <= m; ++j) {
-      const auto swapped = static_cast<std::uint16_t>(diagonal + (same(left[i - 1], right[j - 1]) ? 0 : 1));
-      diagonal = row[j];
-      row[j] = std::min(
-          {static_cast<std::uint16_t>(row[j] + 1), static_cast<std::uint16_t>(row[j - 1] + 1), swapped});
-    }
-  }
-  return 1 - static_cast<float>(row[m]) / static_cast<float>(std::max(n, m));
+  for (std::size_t i = 0; i < n; ++i) a[i] = spelled(left[i]);
+  for (std::size_t i = 0; i < m; ++i) b[i] = spelled(right[i]);
+  const std::size_t distance = edit_distance({a.data(), n}, {b.data(), m});
+  return 1 - static_cast<float>(distance) / static_cast<float>(std::max(n, m));
 }
 
 }  // namespace
