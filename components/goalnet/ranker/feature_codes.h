@@ -15,20 +15,41 @@ inline constexpr std::uint32_t kFeatureBits = 18;
 inline constexpr std::uint32_t kFeatureBuckets = 1u << kFeatureBits;
 
 // Small and called very often: a call would cost more than the work.
-[[gnu::always_inline]] inline std::uint32_t mix(std::uint32_t hash, std::uint32_t value) {
+[[gnu::always_inline]] constexpr std::uint32_t mix(std::uint32_t hash, std::uint32_t value) {
   hash ^= value * 0xcc9e2d51u;
   hash = (hash << 13 | hash >> 19) * 5u + 0xe6546b64u;
   return hash ^ hash >> 15;
 }
 
 template <class... Values>
-[[gnu::always_inline]] inline std::uint32_t feature(std::uint32_t kind, Values... values) {
+[[gnu::always_inline]] constexpr std::uint32_t feature(std::uint32_t kind, Values... values) {
   std::uint32_t hash = kind * 0x9e3779b1u;
   ((hash = mix(hash, static_cast<std::uint32_t>(values))), ...);
   hash ^= hash >> 16;
   hash *= 0x85ebca6bu;
   hash ^= hash >> 13;
   return hash & (kFeatureBuckets - 1);
+}
+
+// feature(kKind, a) and feature(kKind, a, b) of codes below `kFirst` and `kSecond`, from tables made by the
+// compiler.
+template <std::uint32_t kKind, std::uint32_t kFirst>
+std::uint32_t small_feature(std::uint32_t a) {
+  static constexpr auto kTable = [] {
+    std::array<std::uint32_t, kFirst> table{};
+    for (std::uint32_t i = 0; i < kFirst; ++i) table[i] = feature(kKind, i);
+    return table;
+  }();
+  return kTable[a];
+}
+template <std::uint32_t kKind, std::uint32_t kFirst, std::uint32_t kSecond>
+std::uint32_t small_feature(std::uint32_t a, std::uint32_t b) {
+  static constexpr auto kTable = [] {
+    std::array<std::uint32_t, kFirst * kSecond> table{};
+    for (std::uint32_t i = 0; i < table.size(); ++i) table[i] = feature(kKind, i / kSecond, i % kSecond);
+    return table;
+  }();
+  return kTable[a * kSecond + b];
 }
 
 // The features of an action at an earlier moment. Some of them stay as they are as long as the action's
@@ -43,9 +64,10 @@ struct EarlierFeatures {
 class Appender {
  public:
   Appender(std::vector<std::uint32_t>& out, const Instruction& instruction) : out_(out) {
-    constexpr std::size_t kMost = 128, kMostForWord = 8;
+    constexpr std::size_t kMost = 128, kMostForWord = 5, kMostForPair = 2;
     const std::size_t before = out.size();
-    out.resize(before + kMost + kMostForWord * (instruction.unigrams.size() + instruction.bigrams.size()));
+    out.resize(before + kMost + kMostForWord * instruction.unigrams.size() +
+               kMostForPair * instruction.bigrams.size());
     first_ = next_ = out.data() + before;
   }
   // With steady() parts, that are taken from `earlier` when it was made of the same things, or else are put
@@ -67,8 +89,9 @@ class Appender {
 
   template <class... Values>
   [[gnu::always_inline]] void operator()(Values... values) {
-    *next_++ = feature(values...);
+    append(feature(values...));
   }
+  void append(std::uint32_t one) { *next_++ = one; }
 
   // `append` adds the features of the next part that stays.
   template <class Append>
@@ -97,6 +120,7 @@ std::uint32_t few(int count, int most);
 std::uint32_t verb_code(const SymAction& action);
 
 // A share (0..1) in six steps.
+inline constexpr std::uint32_t kVoteCodes = 6;
 std::uint32_t vote_code(float weight);
 
 // Whether the verb's first argument is a device or a part of one.

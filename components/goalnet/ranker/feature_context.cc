@@ -33,7 +33,7 @@ FeatureContext::FeatureContext(const Instruction& instruction, const Lexicon& le
       named_handled_(0),
       held_named_(0),
       held_(0),
-      step_(few(static_cast<int>(run.actions.size()), 6)),
+      step_(few(static_cast<int>(run.actions.size()), kSteps - 1)),
       next_by_words_(hints.plans_by_words, keys_of(run, [&](const SymAction& a) { return class_key(a); })),
       next_by_room_(hints.plans_by_room,
                     keys_of(run, [](const SymAction& a) { return step_key(a.verb, a.x, a.y); })) {
@@ -202,8 +202,8 @@ float FeatureContext::vote(const SymAction& action) const {
 ActionHints FeatureContext::hints(const SymAction& action) const {
   return {.votes = vote_code(vote(action)),
           .habits = vote_code(habit(action)),
-          .by_class = class_key(action),
-          .by_object = step_key(action.verb, action.x, action.y)};
+          .by_class = hints_.plans_by_words.number(class_key(action)),
+          .by_object = hints_.plans_by_room.number(step_key(action.verb, action.x, action.y))};
 }
 
 // What the grammar's reading says about an action.

@@ -24,7 +24,7 @@ struct PartialRun {
 // What is the same for an action all through a run.
 struct ActionHints {
   std::uint32_t votes = 0, habits = 0;  // how far neighbours did it, by class and by object, see vote_code()
-  StepKey by_class = 0, by_object = 0;
+  std::size_t by_class = 0, by_object = 0;  // number among the steps of plans
 };
 
 // Everything about a decision that its candidates share. Make one per decision; it refers to its arguments.
@@ -64,6 +64,7 @@ class FeatureContext {
   float stop_vote() const;
   StepKey class_key(const SymAction& action) const;
   float habit(const SymAction& action) const;
+  static constexpr std::uint32_t kReadingCodes = 16;
   std::uint32_t reading_code(const SymAction& action, const ObjectCode& x, const ObjectCode& y) const;
   std::uint32_t class_code(Symbol symbol) const;
   std::uint32_t repeats(const SymAction& action, std::uint32_t x_class) const;
@@ -83,6 +84,7 @@ class FeatureContext {
   std::vector<ReadStep> reading_;
   std::vector<std::pair<Verb, std::uint32_t>> done_;  // of each action of the run, with the class of its x
   std::uint32_t named_, named_handled_, held_named_, held_;
+  static constexpr std::uint32_t kSteps = 7;
   std::uint32_t step_;
   SymAction last_, before_last_;
   NextSteps next_by_words_, next_by_room_;

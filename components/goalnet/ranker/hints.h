@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "components/goalnet/lexicon.h"
+#include "components/goalnet/ranker/next_steps.h"
 #include "components/goalnet/sym_sim.h"
 
 namespace goalnet::inference {
@@ -26,18 +27,6 @@ struct Habit {
   float weight;  // 0..1
 };
 
-// An action as one number, of its things or of their classes.
-using StepKey = std::uint64_t;
-constexpr StepKey step_key(Verb verb, std::uint16_t x, std::uint16_t y) {
-  return static_cast<StepKey>(verb) << 32 | static_cast<StepKey>(x) << 16 | y;
-}
-
-// A neighbour's whole run, carried over to the things that this instruction names.
-struct Plan {
-  float weight = 0;  // 0..1; those of all plans sum to 1
-  std::vector<StepKey> steps;
-};
-
 // The grammar's reading of an instruction in a world (language/frames.h).
 struct Reading {
   std::vector<SymAction> macros;
@@ -48,8 +37,8 @@ struct Hints {
   std::vector<NeighbourVote> votes;  // sorted by verb, x, y; each once
   std::vector<Habit> habits;         // sorted by action
   Reading reading;
-  std::vector<Plan> plans_by_words;  // steps by class
-  std::vector<Plan> plans_by_room;   // steps by object
+  Plans plans_by_words;  // steps by class
+  Plans plans_by_room;   // steps by object
 };
 
 }  // namespace goalnet::inference

@@ -214,8 +214,7 @@ std::vector<SymAction> replay(const Memory& memory, const Instruction& instructi
 namespace {
 
 // Steps by class or by object.
-std::vector<Plan> plans(std::span<const Neighbour> neighbours, const Instruction& instruction,
-                        bool by_class) {
+Plans plans(std::span<const Neighbour> neighbours, const Instruction& instruction, bool by_class) {
   const auto class_of = [&](Symbol symbol) {
     const int found = instruction.find(symbol);
     return found < 0 ? kNoClass : instruction.objects[static_cast<std::size_t>(found)].class_id;
@@ -231,7 +230,7 @@ std::vector<Plan> plans(std::span<const Neighbour> neighbours, const Instruction
     result.push_back(std::move(plan));
   }
   for (Plan& plan : result) plan.weight /= total;
-  return result;
+  return Plans(result);
 }
 
 }  // namespace

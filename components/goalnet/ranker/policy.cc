@@ -42,7 +42,8 @@ void Rollout::expand(std::size_t index) {
   const FeatureContext context(instruction_, lexicon_, hints_, nodes_[index].run);
   struct Choice {
     SymAction action;
-    Known* known;
+    std::uint32_t number;
+    float fixed;
   };
   const std::vector<SymAction> offered = candidates_.in(nodes_[index].run.now);
   std::vector<Choice> choices;
@@ -50,21 +51,22 @@ void Rollout::expand(std::size_t index) {
   float most = -1e9f;
   for (const SymAction& action : offered) {
     const auto [number, is_new] = numbers_.number(step_key(action.verb, action.x, action.y));
-    Known& known = is_new ? known_.emplace_back() : known_[number];
     if (is_new) {
+      Known& known = known_.emplace_back();
       known.hints = context.hints(action);
       features_.clear();
       context.extract_fixed(action, known.hints, features_);
-      known.score = model_.score(features_);
+      fixed_.push_back(model_.score(features_));
     }
-    if (action.verb != Verb::kStop) most = std::max(most, known.score);
-    choices.push_back({action, &known});
+    const float fixed = fixed_[number];
+    if (action.verb != Verb::kStop) most = std::max(most, fixed);
+    choices.push_back({action, number, fixed});
   }
   // What the words alone make this unlikely is not looked at: a fraction of the work, and the runs drawn are
   // no worse.
   constexpr float kMargin = 2.5f;
   std::erase_if(choices, [&](const Choice& choice) {
-    return choice.action.verb != Verb::kStop && choice.known->score < most - kMargin;
+    return choice.action.verb != Verb::kStop && choice.fixed < most - kMargin;
   });
   std::vector<SymAction> actions;
   actions.reserve(choices.size());
@@ -72,12 +74,13 @@ void Rollout::expand(std::size_t index) {
   offsets_.assign(1, 0);
   for (const Choice& choice : choices) {
     actions.push_back(choice.action);
-    context.extract_moment(choice.action, choice.known->hints, choice.known->earlier, features_);
+    Known& known = known_[choice.number];
+    context.extract_moment(choice.action, known.hints, known.earlier, features_);
     offsets_.push_back(static_cast<std::uint32_t>(features_.size()));
   }
   std::vector<float> sum;
   model_.score(features_, offsets_, sum);
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = choices[i].known->score + sum[i];
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = choices[i].fixed + sum[i];
   LogLinear::softmax(sum);
   Node& node = nodes_[index];
   node.actions = std::move(actions);

@@ -1,7 +1,6 @@
 // The log-linear ranker as a policy: which action next, given the instruction, the world and what was done.
 #pragma once
 
-#include <deque>
 #include <vector>
 
 #include "components/goalnet/random.h"
@@ -49,7 +48,6 @@ class Rollout {
   };
   // What is remembered of an action from moment to moment.
   struct Known {
-    float score = 0;  // of its fixed features
     ActionHints hints;
     EarlierFeatures earlier;
   };
@@ -65,8 +63,9 @@ class Rollout {
   const Hints& hints_;
   const SymState start_;
   std::vector<Node> nodes_;
-  StepTable numbers_;        // of actions
-  std::deque<Known> known_;  // by these numbers
+  StepTable numbers_;         // of actions, and by these numbers:
+  std::vector<float> fixed_;  // scores of the fixed features
+  std::vector<Known> known_;
   std::vector<std::uint32_t> features_, offsets_;
   std::size_t moments_ = 0;
 };

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "components/goalnet/ranker/hints.h"
+#include "components/goalnet/ranker/step_key.h"
 
 namespace goalnet::inference {
 
