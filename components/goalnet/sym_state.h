@@ -28,7 +28,7 @@ class SymState {
     const SymFact* at = facts_.data();
     for (std::size_t left = facts_.size(); left > 1;) {
       const std::size_t half = left / 2;
-      at += at[half - 1] < fact ? half : 0;
+      at += half & (std::size_t{0} - static_cast<std::size_t>(at[half - 1] < fact));
       left -= half;
     }
     return !facts_.empty() && *at == fact;

@@ -23,7 +23,8 @@ enum : std::uint8_t {
   kScoops = 8,
   kDisc = 16,
   kSoft = 32,
-  kSweet = 64
+  kSweet = 64,
+  kFull = 128
 };
 
 // Of each symbol below `count`: one look at each fact.
@@ -51,6 +52,7 @@ std::vector<std::uint8_t> things_now(const SymState& state, std::size_t count) {
         if (object == kScoopsLeft) mark(subject, kScoops);
         if (object == kCD) mark(subject, kDisc);
         if (object == kChocolate) mark(subject, kSweet);
+        if (object >= kWater && object <= kEgg) mark(subject, kFull);
         break;
       case Relation::kOn:
       case Relation::kIn:
@@ -156,6 +158,9 @@ std::vector<SymAction> Candidates::in(const SymState& state) const {
   std::vector<Movable> movable;
   std::vector<Symbol> vessels;
   std::vector<Thing> where;
+  movable.reserve(things.size());
+  vessels.reserve(things.size());
+  where.reserve(things.size());
   for (const Thing& thing : things) {
     const Symbol o = thing.symbol;
     const std::uint8_t is = now[o];
@@ -191,9 +196,7 @@ std::vector<SymAction> Candidates::in(const SymState& state) const {
     offer(device.action);
   }
   for (const Symbol x : vessels) {
-    bool full = false;
-    for (Symbol content = kWater; content <= kEgg; ++content) full = full || state.is(x, content);
-    if (!full) continue;
+    if ((now[x] & kFull) == 0) continue;
     offer({Verb::kPour, x});
     for (const Symbol y : vessels)
       if (x != y) offer({Verb::kPourInto, x, y});
