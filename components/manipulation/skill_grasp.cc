@@ -1,9 +1,12 @@
 // grasp.
+#include "components/manipulation/drag.h"
 #include "components/manipulation/retreat.h"
 #include "components/manipulation/skills.h"
 
 namespace goalnet::manipulation {
 namespace {
+
+constexpr int kMostDrags = 4;
 
 // What the phases of one attempt tell each other.
 struct GraspState {
@@ -53,6 +56,36 @@ Expected<Reach> GraspSkill::find_way(Phases& phases, Workbench& bench) const {
   return found;
 }
 
+Expected<Phases> GraspSkill::drag(Workbench& bench) {
+  auto reaches = drag_reaches(bench, object_);
+  std::erase_if(reaches, [&](const Reach& r) { return failed_.contains(r.tag); });
+  StandSearchOptions options;
+  options.most_reaches = 2 * StandSearchOptions{}.most_reaches;
+  options.looks_for_obstacles = false;
+  Phases phases;
+  const auto found = add_way_there(phases, bench, reaches, options, "drag " + object_, object_);
+  if (!found) return tl::unexpected<Error>(found.error());
+  const Reach reach = *found;
+  failed_.insert(reach.tag);
+  ++dragged_;
+  drags_ = true;
+  const auto end = reach.tool.end();
+  phases.push_back(straight("press", reach.arm, {reach.tool.begin() + 1, end - 2}, reach.tolerances, 0.4));
+  expect_unmoved(phases.back(), bench, object_);
+  phases.push_back(straight("drag", reach.arm, {end[-2]}, reach.tolerances, 0.3));
+  Phase away = straight("lift off", reach.arm, {end[-1]}, reach.tolerances, 0.8);
+  away.settle = 0.2;
+  away.check = [object = object_, before = bench.world().object(object_)->translation().eval(),
+                wanted =
+                    (end[-2].translation() - end[-3].translation()).norm()](Workbench& b) -> Expected<void> {
+    const Pose* now = b.world().object(object);
+    if (now != nullptr && (now->translation() - before).norm() > 0.5 * wanted) return {};
+    return fail(Outcome::kMotionFailed, object + " did not come along when it was dragged");
+  };
+  phases.push_back(away);
+  return phases;
+}
+
 Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
   if (const auto arm = bench.arm_holding(object_)) {
     const auto& facts = bench.world().facts;
@@ -60,9 +93,16 @@ Expected<Phases> GraspSkill::attempt(Workbench& bench, int) {
     // Seen from outside it is not held (it hangs at the edge of a pad): let go of it and take it anew.
     bench.set_held(*arm, std::nullopt);
   }
+  drags_ = false;
   Phases phases;
   const auto found = find_way(phases, bench);
-  if (!found) return tl::unexpected<Error>(found.error());
+  if (!found) {
+    const bool may_help = found.error().outcome == Outcome::kMotionFailed && !bench.in_the_way();
+    if (may_help && only_.empty() && dragged_ < kMostDrags) {
+      if (auto dragging = drag(bench)) return dragging;
+    }
+    return tl::unexpected<Error>(found.error());
+  }
   const Reach reach = *found;
   // A way that fails is not tried again; it is forgotten when it works, as the skill ends then.
   failed_.insert(reach.tag);

@@ -56,13 +56,17 @@ class GraspSkill : public Skill {
   explicit GraspSkill(std::string object, std::set<std::size_t> only = {})
       : object_(std::move(object)), only_(std::move(only)) {}
   Expected<Phases> attempt(Workbench& bench, int number) override;
+  bool unfinished() const override { return drags_; }
 
  private:
   Expected<Reach> find_way(Phases& phases, Workbench& bench) const;
+  Expected<Phases> drag(Workbench& bench);
 
   std::string object_;
   std::set<std::size_t> only_;
   std::set<std::size_t> failed_;  // tags of ways that did not work
+  bool drags_ = false;            // what attempt() returned only drags it to where it can be taken
+  int dragged_ = 0;
 };
 
 // Whatever is done with what a hand holds. If it cannot be done with the grip that the hand has, but could

@@ -56,7 +56,10 @@ class Mess {
       const bool on_floor = random_.uniform() < kToFloor;
       for (int n = 0; n < kTries; ++n) {
         const auto spot = pushed ? push(i, lying) : on_floor ? floor(lying, model) : surface(lying, model);
-        if (!spot || !clear(i, *spot, cover(model, lying))) continue;
+        const double height = lying ? 2 * scene::girth(model) : model.height();
+        if (!spot || !clear(i, *spot, cover(model, lying)) ||
+            in_furniture(*spot, cover(model, lying), height))
+          continue;
         world_.set_object_pose(i, pose_at(*spot, model, lying));
         break;
       }
@@ -149,6 +152,21 @@ class Mess {
         return false;
     }
     return true;
+  }
+
+  // Whether it would stand or lie in what is built onto furniture: a rack, an armrest, a tap.
+  bool in_furniture(const Vector3d& at, double radius, double height) const {
+    if (radius > 0) return false;
+    for (const auto& fixture : scene_.fixtures) {
+      const Vector3d in = fixture.pose.inverse() * at;
+      for (const auto& shape : fixture.shapes) {
+        const auto box = scene::bounds({shape});
+        if (box.upper.z() < in.z() + kDrop || box.lower.z() > in.z() + height) continue;
+        const Vector2d nearest = in.cwiseMax(box.lower).cwiseMin(box.upper).head<2>();
+        if ((nearest - in.head<2>()).norm() < radius) return true;
+      }
+    }
+    return false;
   }
 
   // Lying: on its +x side, its middle over the spot.
