@@ -156,7 +156,6 @@ class Mess {
 
   // Whether it would stand or lie in what is built onto furniture: a rack, an armrest, a tap.
   bool in_furniture(const Vector3d& at, double radius, double height) const {
-    if (radius > 0) return false;
     for (const auto& fixture : scene_.fixtures) {
       const Vector3d in = fixture.pose.inverse() * at;
       for (const auto& shape : fixture.shapes) {
