@@ -173,6 +173,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       (word != "so" || (purpose && !opens_command(skip_joins(at + 1, end), end))))
     return subordinate(at, end);
   if (word == "so") return at + 1;
+  if (told_on(at, end)) return command(at, end, Mood::kStatement);
   if (opens_command(at, end)) return command(at, end, Mood::kCommand);
   if (language_.asks(word)) return question(at, end);
   // "in the sink, put the mug"

@@ -77,6 +77,7 @@ class ClauseParser {
   std::size_t skip_part(std::size_t at, std::size_t end) const;  // to the next comma or the end
 
   bool opens_command(std::size_t at, std::size_t end) const;
+  bool told_on(std::size_t at, std::size_t end) const;
   bool starts_clause(std::size_t at, std::size_t end) const;
   std::size_t skip_joins(std::size_t at, std::size_t end) const;
   bool harmless(std::size_t at) const;

@@ -49,6 +49,13 @@ bool ClauseParser::opens_command(std::size_t at, std::size_t end) const {
                                         (words_[at - 1] == "the" || words_[at - 1] == "a"));
 }
 
+// "(somebody went out) and left a burner on": what was told before goes on; no command is in the past.
+bool ClauseParser::told_on(std::size_t at, std::size_t end) const {
+  return language_.hears_people() && at > 0 && words_[at - 1] == "and" && opens_command(at, end) &&
+         reader_.name_length(at) == 0 && language_.participle(words_[at]) && !words_[at].ends_with("ing") &&
+         !result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement;
+}
+
 bool ClauseParser::starts_clause(std::size_t at, std::size_t end) const {
   if (at >= end) return false;
   if (words_[at] == "not" || words_[at] == "never" || words_[at] == "wish" || one_of(words_[at], kTurns) ||

@@ -38,6 +38,8 @@ class FrameActions {
   void notice(const Clause& clause);
   // What a forbidden clause would do must not be among the actions; says which is.
   std::string check_forbidden(const Clause& clause, const SymState& start) const;
+  // Why what a statement tells cannot be so ("a burner is on" where none is); empty: it can.
+  std::string contradicted(const Clause& statement);
   const std::vector<SymAction>& macros() const { return macros_; }
   // What each of the actions is for.
   const std::vector<SymDelta>& steps() const { return steps_; }
@@ -50,6 +52,7 @@ class FrameActions {
   // frame_actions.cc: what is meant
   Objects objects_of(const NounPhrase& phrase, Sort sort, const Clause& clause);
   Objects pronoun(const NounPhrase& phrase, Sort sort, const Objects& not_these) const;
+  bool misplaced(const Clause& clause, const NounPhrase& phrase, const Objects& options);
   Objects direct(const Clause& clause, Sort sort, Problem& problem);
   Objects role_objects(const Clause& clause, Role role, Sort sort, Problem& problem);
   Objects places(const NounPhrase& phrase, const Objects& for_these, std::size_t wanted, Problem& problem);
@@ -137,6 +140,7 @@ class FrameActions {
   Objects taken_;                             // in the hands because somebody wants it there
   Objects mass_;                              // "everything", newest: "it" means all of that
   std::vector<std::pair<int, bool>> judged_;  // conditions by their numbers, and whether they held
+  Problem elsewhere_;                         // where the things are that are not where the sentence says
   mutable bool no_such_number_ = false;
   mutable Problem missing_;  // the last that said so; see names_missing_thing()
   bool at_home_;             // see FrameReader

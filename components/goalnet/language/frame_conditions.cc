@@ -60,6 +60,18 @@ std::optional<bool> FrameActions::is_so(Symbol object, const std::string& state)
   return std::nullopt;
 }
 
+std::string FrameActions::contradicted(const Clause& statement) {
+  if (statement.state.empty() || statement.negative || statement.phrases.empty()) return {};
+  const NounPhrase& subject = statement.phrases.front();
+  if (subject.pronoun || subject.bare() || subject.unknown || subject.person) return {};
+  const Objects objects = resolver_.options(subject, Sort::kAny, now_);
+  if (objects.empty() || std::any_of(objects.begin(), objects.end(), [&](Symbol object) {
+        return is_so(object, statement.state).value_or(true);
+      }))
+    return {};
+  return "nothing is done, since " + resolver_.name(objects.front()) + " is not " + statement.state;
+}
+
 bool FrameActions::wanted(const Clause& clause, Problem& problem) {
   for (Clause condition : clause.condition) {
     // "if the tap is on, turn it off and bring me the mug": as it was before anything was done

@@ -72,6 +72,7 @@ FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort so
     if (source.role == Role::kSource && !source.pronoun && phrase.role == Role::kDirect)
       located.at.push_back(source);
   Objects options = resolver_.options(located, sort, now_);
+  if (misplaced(clause, located, options)) return {};
   for (const NounPhrase& source : clause.phrases)  // "the pillow from there"
     if (source.role == Role::kSource && source.word == "there" && phrase.role == Role::kDirect) {
       Objects from_there;
@@ -102,13 +103,34 @@ FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort so
   return resolver_.chosen(phrase, options);
 }
 
+// "The book that is on the table" where none is: another one is no answer.
+bool FrameActions::misplaced(const Clause& clause, const NounPhrase& phrase, const Objects& options) {
+  static constexpr std::array kMoves = {Frame::kTake,    Frame::kPlace,  Frame::kBring,
+                                        Frame::kDiscard, Frame::kInsert, Frame::kSwap};
+  elsewhere_.clear();
+  const auto there = [&](Symbol object) {
+    return resolver_.is_where_said(object, phrase, now_) || resolver_.is_where_said(object, phrase, start_);
+  };
+  // The only one of its name is meant wherever it is.
+  if (!at_home_ || phrase.at.empty() || options.size() < 2 || phrase.role != Role::kDirect ||
+      std::find(kMoves.begin(), kMoves.end(), clause.frame) == kMoves.end() ||
+      std::any_of(options.begin(), options.end(), there))
+    return false;
+  for (const Symbol object : options)
+    if (const Symbol place = resolver_.place_of(object, now_); place != kNone)
+      elsewhere_ += ", " + resolver_.name(object) + " is at " + resolver_.name(place);
+  elsewhere_ = "no " + phrase.word + " is where the sentence says" + elsewhere_;
+  return true;
+}
+
 FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role, Sort sort,
                                                  Problem& problem) {
   Objects objects;
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.role != role || (phrase.alternative && !objects.empty())) continue;
     const Objects chosen = objects_of(phrase, sort, clause);
-    if (chosen.empty() && !phrase.alternative && problem.empty()) problem = unknown_thing(phrase, sort);
+    if (chosen.empty() && !phrase.alternative && problem.empty())
+      problem = elsewhere_.empty() ? unknown_thing(phrase, sort) : not_here(elsewhere_);
     if (!chosen.empty() && phrase.alternative) problem.clear();
     if (!chosen.empty()) resolver_.remember(chosen);  // "a plate and then the other one"
     for (const Symbol object : chosen)

@@ -144,6 +144,15 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
                                            actions.resolver(), start);
         unused != symbol::kNone)
       result.problems.push_back("it is not clear what to do with " + symbols_.name(unused));
+  // "somebody left a burner on, switch it off": where none is on that is no "done already"
+  if (at_home_ && result.problems.empty() && actions.macros().empty())
+    for (const Clause& clause : sentence.clauses)
+      if (std::string problem = clause.mood == Mood::kStatement ? actions.contradicted(clause) : "";
+          !problem.empty()) {
+        result.problems.push_back(std::move(problem));
+        result.contradicted = true;
+        break;
+      }
   result.no_such_number = actions.no_such_number();
   result.macros = actions.macros();
   result.steps = actions.steps();

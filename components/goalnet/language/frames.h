@@ -22,6 +22,7 @@ struct Understanding {
   bool only_asks = false;             // "I wonder if the fridge is open"
   bool nothing_known = false;         // no verb, or nothing it could be about
   bool no_such_number = false;        // "channel 9", "shelf 4": read, but there are fewer
+  bool contradicted = false;          // "the tv is on, turn it off" where it is off: read, but it is not so
 
   // How the reading came about; what the confidence is made of.
   Doubts doubts;

@@ -1,6 +1,7 @@
 // From noun phrases to objects of the world.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
@@ -66,6 +67,13 @@ class Resolver {
   // Objects spoken of so far: "the other one" is none of them.
   void remember(const std::vector<Symbol>& objects);
   Doubts& doubts() { return doubts_; }
+  // Whether it is where the phrase says: "the book that is on the table", "the books from the table and the
+  // couch".
+  bool is_where_said(Symbol object, const NounPhrase& phrase, const SymState& now) const {
+    return std::any_of(phrase.at.begin(), phrase.at.end(), [&](const NounPhrase& place) {
+      return is_at(object, place, now) != place.negated;
+    });
+  }
   // Whether a vessel holds nothing.
   bool is_empty(Symbol object, const SymState& now) const;
 

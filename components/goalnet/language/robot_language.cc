@@ -96,7 +96,8 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
     return reading;
   }
   if (reading.understanding.complete || reading.understanding.for_later) return reading;
-  if (reading.understanding.no_such_number) return reading;  // another spelling would turn on another channel
+  // another spelling would turn on another channel, or be passed off as done
+  if (reading.understanding.no_such_number || reading.understanding.contradicted) return reading;
   if (reading.understanding.only_forbids || reading.understanding.only_asks)
     return reading;  // no other spelling may turn that round
   other_readings(tokens, reader, start, distances, reading);
