@@ -59,6 +59,13 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
       return done;
     }
   }
+  if (Where there_where = Where::kTo;
+      i + 1 < end && words_[i + 1] == "there" && place_preposition(word, &there_where)) {
+    NounPhrase there;
+    there.role = Role::kDestination, there.pronoun = true, there.word = "there", there.where = there_where;
+    clause.phrases.push_back(there);
+    return i + 2;
+  }
   if (one_of(word, kParticles) &&
       !(one_of(word, kParticles) && place_preposition(word) && reader_.starts(i + 1, end) &&
         !(clause.first(Role::kDirect) == nullptr && (word == "on" || word == "over")))) {
@@ -80,13 +87,6 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
       clause.frame = noun, clause.verb = language_.verb_base(words_[k]), clause.to_person = false;
       return k + 1;
     }
-  }
-  if (Where there_where = Where::kTo;
-      i + 1 < end && words_[i + 1] == "there" && place_preposition(word, &there_where)) {
-    NounPhrase there;
-    there.role = Role::kDestination, there.pronoun = true, there.word = "there", there.where = there_where;
-    clause.phrases.push_back(there);
-    return i + 2;
   }
   // "the sink is for dirty things, I would like both plates there"
   if (language_.hears_people() && word == "there" && clause.wish && clause.phrases.size() == 1 &&

@@ -31,7 +31,7 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
   // "get the salt. ... Get the fork instead.": not both
   if (language_.hears_people() && clause.has("instead") && clause.mood == Mood::kCommand) {
     const auto before = std::find_if(result_.clauses.rbegin(), result_.clauses.rend(),
-                                     [](const Clause& c) { return c.mood == Mood::kCommand; });
+                                     [](const Clause& c) { return c.mood == Mood::kCommand && !c.weak; });
     if (before != result_.clauses.rend() && before->frame == clause.frame &&
         (clause.frame == Frame::kTake || clause.frame == Frame::kBring))
       before->mood = Mood::kStatement, before->frame = Frame::kNone, before->wish = false;

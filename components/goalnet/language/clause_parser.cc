@@ -121,7 +121,11 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     if (const std::size_t done = except(at, end, result_.clauses.back()); done != at) return done;
   if (word == "do_that") return done_that(at, end);
   if (word == "hint") return hint(at, end);
-  if (word == "correction") return correction(at, end);
+  // "bring the beer, no, I still have to drive, so the coke"
+  const bool taken_back = language_.hears_people() && word == "no" && at > 0 && words_[at - 1] == "," &&
+                          at + 1 < end && words_[at + 1] == "," && !result_.clauses.empty() &&
+                          result_.clauses.back().mood == Mood::kCommand;
+  if (word == "correction" || taken_back) return correction(at, end);
   if (word == "wish_to") return wish_to(at, end);
   NounPhrase person;
   const bool have_you = word == "have" && reader_.read(at + 1, end, person) != at + 1 && person.person;

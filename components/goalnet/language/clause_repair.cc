@@ -104,8 +104,8 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
     next = skip_joins(done, end);
   }
   if (const std::size_t stop = part_end(next, end);  // "no, scratch that, I am driving, the coke"
-      language_.hears_people() && next < end && stop < end && tells(next, stop))
-    next = skip_joins(stop, end);
+      language_.hears_people() && next < end && stop < end && (tells(next, stop) || words_[next] == "wish_to"))
+    for (next = skip_joins(stop, end); next < end && words_[next] == "so";) ++next;
   if (language_
           .hears_people())  // "swap the beer and the coke's ... no wait": what was left of it goes as well
     while (result_.clauses.size() > 1 && result_.clauses.back().mood == Mood::kStatement &&
@@ -158,8 +158,12 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   if (NounPhrase place;
       role == Role::kDirect && done != next) {  // "put the lid, no, the plate on the counter"
     const std::size_t after = reader_.read_place(done, end, place);
-    if (after != done && !place.person && ends_here(after, end) &&
-        last->first(Role::kDestination) == nullptr) {
+    if (after != done && !place.person && ends_here(after, end) && (last->frame == Frame::kTake || last->frame == Frame::kBring) &&
+        last->first(Role::kDestination) == nullptr && language_.hears_people() && !phrase.pronoun) {  // "the book from the shelf, no, the one on the table"
+      phrase.at.push_back(place);
+      done = after;
+    } else if (after != done && !place.person && ends_here(after, end) &&
+               last->first(Role::kDestination) == nullptr) {
       place.role = Role::kDestination;
       last->phrases.push_back(std::move(place));
       done = after;
@@ -192,7 +196,10 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
     }
   phrase.role = role;
   last->unknown.clear();
-  std::erase_if(last->phrases, [&](const NounPhrase& old) { return old.role == role; });
+  const bool other_place = !phrase.at.empty() && role == Role::kDirect;
+  std::erase_if(last->phrases, [&](const NounPhrase& old) {
+    return old.role == role || (other_place && old.role == Role::kSource);
+  });
   last->phrases.push_back(std::move(phrase));
   return done;
 }

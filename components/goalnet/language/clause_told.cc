@@ -35,6 +35,12 @@ std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
       const std::size_t done = reader_.read(next, end, subject);
       if (done != next && !subject.person && !subject.unknown && done < end && one_of(words_[done], kModals))
         return i;
+      // "he played with the knobs and two burners are on"
+      if (done != next && !subject.person && !subject.unknown && done + 1 < end &&
+          (words_[done] == "is" || words_[done] == "are") && word == "and" &&
+          (language_.wanted_by_state(words_[done + 1]) != Frame::kNone ||
+           language_.complaint(words_[done + 1]) != Frame::kNone))
+        return i;
     }
   }
   return end;
@@ -55,6 +61,7 @@ bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
     if (language_.copula(word) || word == "not") return true;
     if (word == "please" || (language_.hears_people() && word == "except")) continue;
     if (word.size() > 4 && word.ends_with("ed") && reader_.name_length(i) == 0) return true;  // "beeped"
+    if (does_often(at, i)) return true;
     const bool noun_before = !one_of(words_[i - 1], kDeterminers) && !one_of(words_[i - 1], kArticles) &&
                              !place_preposition(words_[i - 1]);
     if (noun_before && reader_.name_length(i) == 0 && language_.english_verb(word) &&
@@ -64,12 +71,22 @@ bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
   return false;
 }
 
+// "my kid only drinks from the glass": behind a person and such an adverb a name is a verb.
+bool ClauseParser::does_often(std::size_t at, std::size_t verb) const {
+  static constexpr std::array kOften = {"only"sv, "always"sv, "never"sv, "just"sv, "also"sv, "still"sv};
+  if (!language_.hears_people() || verb <= at || !one_of(words_[verb - 1], kOften)) return false;
+  std::size_t who = verb - 1;
+  while (who > at && one_of(words_[who], kOften)) --who;
+  return language_.person(words_[who]) && language_.english_verb(words_[verb]);
+}
+
 // Notes what the part speaks of, so that "it" and "there" may mean that.
 void ClauseParser::add_told(std::size_t at, std::size_t stop) {
   Clause clause;
   clause.mood = Mood::kStatement;
   std::size_t thing_end = SIZE_MAX;
   for (std::size_t i = at; i < stop;) {
+    if (does_often(at, i)) ++i;
     NounPhrase phrase;
     std::size_t done = reader_.read_place(i, stop, phrase);
     const bool place = done != i;

@@ -188,6 +188,10 @@ std::string FrameActions::put(const Clause& said) {
       if (phrase.role == Role::kDirect) phrase.count *= static_cast<int>(vessels.size());
   }
   avoid_ = destination->pronoun || destination->bare() ? Objects{} : vessels;
+  if (at_home_ && !avoid_.empty() && !thing->definite)  // nor one that another armchair would miss
+    for (const Symbol place : resolver_.all(Sort::kPlace, now_))
+      if (resolver_.class_of(place)->place && resolver_.class_of(place) == resolver_.class_of(avoid_.front()))
+        avoid_.push_back(place);
   Problem problem;
   const auto objects = direct(clause, Sort::kMovable, problem);
   avoid_.clear();

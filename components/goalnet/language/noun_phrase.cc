@@ -112,8 +112,11 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
     } else if (word == "of" && determined && i > at && names_[i - 1] == 0) {
       continue;  // "all of the", "one of the"
     } else if (const int number = number_word(word)) {
-      if (word == "one" && determined && !starts(i + 1, end) && !(i + 1 < end && words_.text[i + 1] == "of"))
-        break;
+      // "give that one a pillow"
+      const bool alone = language_.hears_people() && i > at && one_of(words_.text[i - 1], kPointers) &&
+                         i + 1 < end && one_of(words_.text[i + 1], kArticles);
+      const bool counts = starts(i + 1, end) && !alone;
+      if (word == "one" && determined && !counts && !(i + 1 < end && words_.text[i + 1] == "of")) break;
       if (in_place_ && (i + 1 >= end || language_.joins(words_.text[i + 1]))) {  // "change the channel to 5"
         phrase.number = number, phrase.phrase = phrase.word = one();
         return phrase.phrase.empty() ? at : i + 1;
