@@ -8,39 +8,6 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
-std::size_t ClauseParser::instead_of(std::size_t at, std::size_t end, Clause& clause) {
-  if (!language_.hears_people() || at + 2 >= end) return at;
-  const bool denied = words_[at] == "not";
-  const bool other = (words_[at] == "rather" && words_[at + 1] == "than") ||
-                     (words_[at] == "instead" && words_[at + 1] == "of");
-  if (!denied && !other) return at;
-  const std::size_t from = at + (denied ? 1 : 2);
-  NounPhrase place, thing;
-  if (const std::size_t done = reader_.read_place(from, end, place); done != from && !place.person)
-    return done;
-  if (denied) return at;
-  const std::size_t done = reader_.read(from, end, thing);
-  if (done == from || thing.person || thing.unknown || clause.phrases.empty()) return at;
-  if (!lexicon_->is_place_name(thing.phrase)) {
-    thing.role = Role::kExcept;
-    clause.phrases.push_back(std::move(thing));
-  }
-  return done;
-}
-
-std::size_t ClauseParser::except(std::size_t at, std::size_t end, Clause& clause) {
-  if (!language_.hears_people() || words_[at] != "except" || clause.mood != Mood::kCommand) return at;
-  const std::size_t from = at + 1 < end && words_[at + 1] == "for" ? at + 2 : at + 1;
-  NounPhrase left_out, there;
-  const std::size_t done = reader_.read(from, end, left_out);
-  if (done == from || left_out.person || left_out.unknown) return at;
-  const std::size_t after = reader_.read_place(done, end, there);
-  if (after != done) left_out.at.push_back(there);
-  left_out.role = Role::kExcept;
-  clause.phrases.push_back(std::move(left_out));
-  return after;
-}
-
 std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
   Clause clause;
   clause.mood = mood;
@@ -91,17 +58,10 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       i = done;
       continue;
     }
-    if (word == "not" && i + 1 < end &&
-        !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
-      NounPhrase phrase;
-      if (const std::size_t done = reader_.read(i + 1, end, phrase); done != i + 1) {
-        phrase.role = Role::kExcept;
-        NounPhrase there;  // "not the one on the couch"
-        const std::size_t after =
-            language_.hears_people() && phrase.word == "one" ? reader_.read_place(done, end, there) : done;
-        if (after != done) phrase.at.push_back(there);
+    if (NounPhrase phrase; word == "not" && !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
+      if (const std::size_t done = denied(i, end, phrase); done != i) {
         clause.phrases.push_back(std::move(phrase));
-        i = after;
+        i = done;
         continue;
       }
     }

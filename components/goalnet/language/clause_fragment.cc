@@ -11,8 +11,12 @@ using namespace word_group;
 
 // "... And a pillow.", "the other plate too": what was asked before is asked of this as well.
 bool ClauseParser::again(const Clause& fragment) {
-  if (result_.clauses.empty() || result_.clauses.back().mood != Mood::kCommand) return false;
+  if (result_.clauses.empty()) return false;
   Clause same = result_.clauses.back();
+  const bool instead = language_.hears_people() && same.mood == Mood::kForbidden &&
+                       same.first(Role::kDirect) != nullptr;  // "don't wash the bowl, just the plates"
+  if (same.mood != Mood::kCommand && !instead) return false;
+  same.mood = Mood::kCommand;
   std::erase_if(same.phrases, [](const NounPhrase& phrase) {
     return phrase.role == Role::kDirect || phrase.role == Role::kSource;
   });
@@ -56,14 +60,10 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   if (language_.hears_people())  // "another book please, not the one on the couch"
     for (std::size_t k = i; k < end; ++k) {
       if (words_[k] != "not" && !language_.joins(words_[k]) && !harmless(k)) break;
-      NounPhrase left_out, there;
+      NounPhrase left_out;
       if (words_[k] != "not") continue;
-      const std::size_t done = reader_.read(k + 1, end, left_out),
-                        after = reader_.read_place(done, end, there);
-      if (done == k + 1 || left_out.person) break;
-      if (after != done) left_out.at.push_back(there);
-      if (!ends_here(after, end)) break;
-      left_out.role = Role::kExcept;
+      const std::size_t after = denied(k, end, left_out);
+      if (after == k || !ends_here(after, end)) break;
       clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;
       clause.phrases.push_back(std::move(left_out));
       add(std::move(clause));

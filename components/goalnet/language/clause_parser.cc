@@ -1,6 +1,7 @@
 #include "components/goalnet/language/clause_parser.h"
 
 #include <algorithm>
+#include <array>
 
 #include "components/goalnet/language/ellipsis.h"
 #include "components/goalnet/language/word_groups.h"
@@ -171,8 +172,12 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   }
   if (language_.asks(word) && at + 1 < end && language_.copula(words_[at + 1])) return question(at, end);
   // "so that I can sit", "so I can sit" say why; "so the coke please" goes on
-  const bool purpose = at + 1 < end && (words_[at + 1] == "that" || words_[at + 1] == "i" ||
-                                        words_[at + 1] == "we" || words_[at + 1] == "nobody");
+  static constexpr std::array kOught = {"can"sv,  "should"sv, "must"sv,   "may"sv, "could"sv,
+                                        "goes"sv, "has"sv,    "belong"sv, "needs"sv};
+  const bool that_ought = at + 2 < end && words_[at + 1] == "that" && one_of(words_[at + 2], kOught);
+  const bool purpose = at + 1 < end && !that_ought &&
+                       (words_[at + 1] == "that" || words_[at + 1] == "i" || words_[at + 1] == "we" ||
+                        words_[at + 1] == "nobody");
   if (one_of(word, kSubordinate) &&
       (word != "so" || (purpose && !opens_command(skip_joins(at + 1, end), end))))
     return subordinate(at, end);

@@ -36,6 +36,9 @@ class ClauseParser {
   std::size_t instead_of(std::size_t at, std::size_t end, Clause& clause);
   // "(all of them should be on the table,) except for the one on the shelf"; `at` where it is none.
   std::size_t except(std::size_t at, std::size_t end, Clause& clause);
+  std::size_t denied(std::size_t at, std::size_t end, NounPhrase& phrase) const;
+  std::size_t not_that_one(std::size_t at, std::size_t end);
+  std::size_t subject_but(std::size_t at, std::size_t end, NounPhrase& subject, NounPhrase& left_out) const;
   bool again(const Clause& fragment);
   bool says_nothing_here(std::size_t at, std::size_t end) const;
   std::size_t fragment(std::size_t at, std::size_t end);
@@ -62,6 +65,7 @@ class ClauseParser {
   std::size_t idle(std::size_t at, std::size_t end);
   // "no wait, the fork": mends the command before it.
   std::size_t correction(std::size_t at, std::size_t end);
+  std::size_t command_anew(std::size_t at, std::size_t end);
   std::size_t other_way(std::size_t at, std::size_t end, Clause& last) const;
   // "the fork, bring it to me": what "it" will mean.
   std::size_t topic(std::size_t at, std::size_t end);

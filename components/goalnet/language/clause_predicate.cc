@@ -160,6 +160,19 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         continue;
       }
     }
+    // "it is loud with the tv going": tells of the tv
+    if (NounPhrase thing; language_.hears_people() && word == "with" && clause.mood == Mood::kStatement) {
+      const std::size_t done = reader_.read(i + 1, end, thing);
+      if (done != i + 1 && done < end && !thing.person && !thing.unknown &&
+          (language_.wanted_by_state(words_[done]) != Frame::kNone ||
+           language_.complaint(words_[done]) != Frame::kNone)) {
+        Clause told;
+        told.mood = Mood::kStatement, told.state = words_[done];
+        told.phrases = {std::move(thing)};
+        add(std::move(told));
+        return done + 1;
+      }
+    }
     // a new command without a join: "i cannot see it turn on the tv"
     if (opens_command(i, end) && i > at) return i;
     ++i;

@@ -89,6 +89,24 @@ std::size_t ClauseParser::other_way(std::size_t at, std::size_t end, Clause& las
   return changed ? part_end(at, end) : at;
 }
 
+// The last command's verb with what stands from `at` on.
+std::size_t ClauseParser::command_anew(std::size_t at, std::size_t end) {
+  Clause anew = result_.clauses.back();
+  anew.phrases.clear(), anew.particles.clear(), anew.unknown.clear(), anew.state.clear();
+  anew.words = {anew.verb};
+  Role role = Role::kDirect;
+  Where where = Where::kTo;
+  std::size_t i = at;
+  while (i < end && words_[i] != ",") {
+    anew.words.push_back(words_[i]);
+    const std::size_t next = argument(i, end, anew, role, where);
+    if (next == i) break;
+    i = next;
+  }
+  result_.clauses.pop_back();
+  return end_command(std::move(anew), i, end);
+}
+
 std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   std::size_t next = at;
   while (next < end && (words_[next] == "correction" || language_.joins(words_[next]) ||
@@ -188,6 +206,10 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
       return part_end(done, end);
     }
   }
+  // "pour half, no, all of the coffee from the mug into the glass": the same verb with all that
+  if (language_.hears_people() && done != next && !ends_here(done, end) && role == Role::kDirect &&
+      !phrase.unknown && (place_preposition(words_[done]) || words_[done] == "from"))
+    return command_anew(next, end);
   if (done == next || !ends_here(done, end)) return next;
   for (const NounPhrase& old : last->phrases)  // "go to the window, I mean the tv"
     if (old.unknown || (old.role == Role::kDestination && last->phrases.size() == 1)) {

@@ -178,6 +178,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     subject.at.push_back(std::move(place));
     i = done;
   }
+  NounPhrase left_out;
+  i = subject_but(i, end, subject, left_out);
   std::vector<NounPhrase> subjects = {subject};
   for (std::size_t next = i; next + 1 < end && (words_[next] == "and" || words_[next] == ",");) {
     NounPhrase more;  // "xbox and controller belong on the table"
@@ -189,6 +191,7 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     if (last_there) break;
     if (language_.copula(words_[done]) || one_of(words_[done], kDesire)) i = done;
   }
+  if (left_out.role == Role::kExcept) subjects.push_back(std::move(left_out));
   const bool all_there = there && language_.hears_people() && subjects.size() > 1 &&
                          i == named;  // "there is the beer and the coke"
   if (!all_there && (i == named || !(language_.copula(words_[i]) || one_of(words_[i], kDesire))))

@@ -32,7 +32,12 @@ std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
     if (NounPhrase subject; language_.hears_people() && next < end) {  // "..., so the bag can be thrown away"
       static constexpr std::array kModals = {"can"sv,  "could"sv, "may"sv, "should"sv,
                                              "must"sv, "need"sv,  "has"sv, "belong"sv};
-      const std::size_t done = reader_.read(next, end, subject);
+      std::size_t done = reader_.read(next, end, subject);
+      for (NounPhrase more; done != next && done + 1 < end && words_[done] == "and"; more = {}) {
+        const std::size_t after = reader_.read(done + 1, end, more);  // "so both plates and the bowl need ..."
+        if (after == done + 1 || more.person || more.unknown) break;
+        done = after;
+      }
       if (done != next && !subject.person && !subject.unknown && done < end && one_of(words_[done], kModals))
         return i;
       // "he played with the knobs and two burners are on"
@@ -168,6 +173,13 @@ std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
   static constexpr std::array kIs = {"is"sv, "was"sv, "get"sv, "become"sv, "make"sv};
   if (!language_.hears_people() || at + 1 >= end) return at;
   const std::string& word = words_[at];
+  // "love watching movies"
+  static constexpr std::array kLikes = {"love"sv, "hate"sv, "enjoy"sv, "prefer"sv, "adore"sv, "miss"sv, "loving"sv};
+  if (one_of(word, kLikes) && words_[at + 1].size() > 5 && words_[at + 1].ends_with("ing") &&
+      reader_.name_length(at + 1) == 0) {
+    add_told(at, part_end(at, end));
+    return part_end(at, end);
+  }
   const bool gerund = word.ends_with("ing") && language_.english_verb(word) && reader_.name_length(at) == 0;
   if (const std::size_t stop = part_end(at, end); word == "for" && stop < end && words_[stop] == "wish") {
     for (std::size_t i = at; i < stop; ++i)

@@ -58,6 +58,7 @@ std::size_t ClauseParser::has_to_be(std::size_t at, std::size_t end) {
 // "do not open the fridge", "without the spoon", "never mind the mess".
 std::size_t ClauseParser::forbidden(std::size_t at, std::size_t end) {
   const std::string& word = words_[at];
+  if (const std::size_t done = not_that_one(at, end); done != at) return done;
   std::size_t verb = at + 1;
   while (verb < end && !opens_command(verb, end) && harmless(verb)) ++verb;
   if (opens_command(verb, end)) return command(verb, end, Mood::kForbidden);

@@ -83,7 +83,8 @@ class Coverage {
     for (std::size_t i = 0, length; i < text.size(); i += length) {
       length = std::max<std::size_t>(reader.name_length(i), 1);
       if (text[i] == "." || text[i] == ",") beside = false;
-      beside = beside || one_of(text[i], kSubordinate) || one_of(text[i], kElse) || one_of(text[i], kTurns);
+      const bool goes_on = text[i] == "so" && i + 1 < text.size() && !one_of(text[i + 1], kSubjects);
+      beside = beside || (one_of(text[i], kSubordinate) && !goes_on) || one_of(text[i], kElse) || one_of(text[i], kTurns);
       const bool verb =
           length == 1 && language_.verb(text[i]) != Frame::kNone;  // "lay", also a name of crisps
       const bool which = i + length < text.size() && text[i + length] == "one";  // "the vanilla one"

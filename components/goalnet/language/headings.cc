@@ -74,6 +74,17 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
                                            "now"sv,  "will"sv, "need"sv, "should"sv, "'s"sv};
     std::size_t tidies = begin;
     while (tidies < i && one_of(words[tidies], kBefore)) ++tidies;
+    // "swap those two: the pillow and the book", "bring me these: ...": the verb is for what is listed
+    static constexpr std::array kThese = {"these"sv, "those"sv,     "them"sv,  "both"sv, "two"sv,
+                                          "three"sv, "following"sv, "these"sv, "the"sv,  "things"sv};
+    std::size_t verb_end = i;
+    while (verb_end > begin && one_of(words[verb_end - 1], kThese)) --verb_end;
+    if (verb_end < i && verb_end > begin && i + 1 < stop &&
+        language.verb(words[begin]) != Frame::kNone && !language.participle(words[begin])) {
+      words.erase(words.begin() + static_cast<long>(verb_end), words.begin() + static_cast<long>(i) + 1);
+      i = verb_end;
+      continue;
+    }
     if (at_start && i > begin && one_of(words[tidies], kTidies) && places) {
       words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
       i = begin;

@@ -98,13 +98,15 @@ Symbol Resolver::place_of(Symbol object, const SymState& now) const {
   return kNone;
 }
 
-bool Resolver::is_at(Symbol object, const NounPhrase& place, const SymState& now) const {
+bool Resolver::is_at(Symbol object, const NounPhrase& place, const SymState& now, bool exactly) const {
   if (place.pronoun || place.phrase.empty()) return true;  // "on it": whatever that is
   const auto fits_place = [&](Symbol at) {
     const int found = instruction_.find(at);
     if (found < 0) return false;
     const SeenObject& seen = instruction_.objects[static_cast<std::size_t>(found)];
-    if (level(place, seen.symbol, seen.class_id, Sort::kPlace, now) == NameLevel::kNone) return false;
+    const NameLevel as = level(place, seen.symbol, seen.class_id, Sort::kPlace, now);
+    if (as == NameLevel::kNone) return false;
+    if (exactly && as == NameLevel::kGeneric && named_exactly(place)) return false;
     const int which = place.number > 0 ? place.number : place.ordinal;
     return which == 0 || number_of(symbols_.name(at)) == which ||
            (number_of(symbols_.name(at)) == 0 && which == 1);
@@ -120,6 +122,14 @@ bool Resolver::is_at(Symbol object, const NounPhrase& place, const SymState& now
       return true;
   }
   return false;
+}
+
+// "Couch", where couches are here, means no armchair.
+bool Resolver::named_exactly(const NounPhrase& place) const {
+  return std::any_of(instruction_.objects.begin(), instruction_.objects.end(), [&](const SeenObject& object) {
+    return lexicon_.object_class(object.class_id).place &&
+           lexicon_.names(place.phrase, object.symbol, object.class_id) >= NameLevel::kName;
+  });
 }
 
 bool Resolver::is_empty(Symbol object, const SymState& now) const {

@@ -89,7 +89,8 @@ class Resolver {
   NameLevel level(const NounPhrase& phrase, Symbol object, ClassId class_id, Sort sort,
                   const SymState& now) const;
   int faults(const NounPhrase& phrase, const SeenObject& object, const SymState& now) const;
-  bool is_at(Symbol object, const NounPhrase& place, const SymState& now) const;
+  bool is_at(Symbol object, const NounPhrase& place, const SymState& now, bool exactly = false) const;
+  bool named_exactly(const NounPhrase& place) const;
 
   const Instruction& instruction_;
   const Lexicon& lexicon_;

@@ -9,7 +9,8 @@ namespace {
 
 using namespace symbol;
 
-constexpr int kFault = 1;         // of an adjective
+constexpr int kSlight = 1;        // a place by a word that names another one better
+constexpr int kFault = 2;         // of an adjective
 constexpr int kGraveFault = 100;  // names another object: wrong number, wrong content
 constexpr double kFar = 1000.0;
 
@@ -74,7 +75,10 @@ int Resolver::faults(const NounPhrase& phrase, const SeenObject& seen, const Sym
   if (phrase.on_floor && (place_of(object, now) != kNone || now.holds(object)))
     count += phrase.everything ? kGraveFault : kFault;
   for (const NounPhrase& place : phrase.at)
-    if (is_at(object, place, now) == place.negated) count += kFault;
+    if (is_at(object, place, now) == place.negated)
+      count += kFault;
+    else if (language_.hears_people() && !place.negated && !is_at(object, place, now, true))
+      count += kSlight;
   return count;
 }
 
