@@ -29,6 +29,11 @@ bool ClauseParser::leaves_command(std::size_t i, std::size_t next, std::size_t e
                                   const Clause& clause) const {
   if (next >= end || starts_clause(next, end)) return true;
   const bool comma = words_[i] == ",";
+  if (comma && clause.mood == Mood::kForbidden && language_.hears_people() &&
+      std::none_of(words_.begin() + static_cast<long>(i), words_.begin() + static_cast<long>(end),
+                   [](const std::string& word) { return word == "or" || word == "and"; }))
+    return true;  // "do not wash the bowl, the plates"
+  if (comma && likes_doing(next, end)) return true;
   if (comma && tells_time(next, part_end(next, end))) return true;  // "bring the mug, bus in an hour"
   if (!language_.hears_people()) return false;
   if (comma && one_of(words_[next], kSubjects) && !one_of(words_[next], kPointers) &&

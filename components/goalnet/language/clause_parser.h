@@ -72,6 +72,7 @@ class ClauseParser {
   std::size_t verb_last(std::size_t at, std::size_t end);
   std::size_t narrows(std::size_t at, std::size_t end);
   bool ends_here(std::size_t at, std::size_t end) const;  // only small words up to the end of the part
+  bool likes_doing(std::size_t at, std::size_t end) const;
   bool does_often(std::size_t at, std::size_t verb) const;
   void add_told(std::size_t at, std::size_t stop);
   std::size_t aside(std::size_t at, std::size_t end);

@@ -166,6 +166,13 @@ std::size_t ClauseParser::does_not_know(std::size_t at, std::size_t end) {
   return at;
 }
 
+// "love watching movies"
+bool ClauseParser::likes_doing(std::size_t at, std::size_t end) const {
+  static constexpr std::array kLikes = {"love"sv, "hate"sv, "enjoy"sv, "prefer"sv, "adore"sv, "miss"sv};
+  return language_.hears_people() && at + 1 < end && one_of(words_[at], kLikes) &&
+         words_[at + 1].size() > 5 && words_[at + 1].ends_with("ing") && reader_.name_length(at + 1) == 0;
+}
+
 // "no time to tidy, ...", "sitting is agony, ...": begins as requests do, but is none.
 std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
   static constexpr std::array kLacks = {"time"sv,   "point"sv,  "use"sv, "sense"sv,
@@ -173,10 +180,7 @@ std::size_t ClauseParser::idle(std::size_t at, std::size_t end) {
   static constexpr std::array kIs = {"is"sv, "was"sv, "get"sv, "become"sv, "make"sv};
   if (!language_.hears_people() || at + 1 >= end) return at;
   const std::string& word = words_[at];
-  // "love watching movies"
-  static constexpr std::array kLikes = {"love"sv, "hate"sv, "enjoy"sv, "prefer"sv, "adore"sv, "miss"sv, "loving"sv};
-  if (one_of(word, kLikes) && words_[at + 1].size() > 5 && words_[at + 1].ends_with("ing") &&
-      reader_.name_length(at + 1) == 0) {
+  if (likes_doing(at, end)) {
     add_told(at, part_end(at, end));
     return part_end(at, end);
   }

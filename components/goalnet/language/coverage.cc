@@ -31,6 +31,15 @@ class Coverage {
       : message_(message), language_(language), lexicon_(lexicon), resolver_(resolver), start_(start) {
     for (const SymAction& action : message.actions) used_.push_back(action.x), used_.push_back(action.y);
     if (contains(used_, kSinkKnob)) used_.push_back(kSink);  // what stands under the tap is filled with it
+    concerned_ = used_;
+    for (const Symbol object : used_) {
+      concerned_.push_back(resolver.place_of(object, start));
+      if (object >= kStoveKnob_1 && object <= kStoveKnob_4)
+        concerned_.push_back(kStove), concerned_.push_back(kStoveFire_1 + (object - kStoveKnob_1));
+      if (object == kFridgeLeftDoor || object == kFridgeRightDoor || object == kFridgeButton)
+        concerned_.push_back(kFridge);
+      if (object == kMicrowaveButton) concerned_.push_back(kMicrowave);
+    }
   }
 
   // What a command names and does nothing with.
@@ -93,11 +102,23 @@ class Coverage {
       for (std::size_t k = 1; k < length; ++k) name += " " + text[i + k];
       const Objects meant = carried(name);
       if (!meant.empty() && !any_in(meant, used_) && !any_in(meant, spoken)) return meant.front();
+      const Objects there = fixed(name);
+      if (!there.empty() && !any_in(there, concerned_) && std::find(read.begin(), read.end(), name) == read.end())
+        return there.front();
     }
     return kNone;
   }
 
  private:
+  // What a name means of furniture and devices.
+  Objects fixed(const std::string& name) const {
+    Objects result;
+    for (const SeenObject& object : resolver_.objects())
+      if (lexicon_.object_class(object.class_id).place &&
+          lexicon_.names(name, object.symbol, object.class_id) >= NameLevel::kName)
+        result.push_back(object.symbol);
+    return result;
+  }
   // What a name means of the things that can be carried.
   Objects carried(const std::string& name) const {
     Objects result;
@@ -113,7 +134,7 @@ class Coverage {
   const Lexicon& lexicon_;
   const Resolver& resolver_;
   const SymState& start_;
-  Objects used_;
+  Objects used_, concerned_;  // concerned: also where the used things stand, what the used knobs turn
 };
 
 }  // namespace
