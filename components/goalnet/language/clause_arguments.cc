@@ -59,13 +59,15 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
       return done;
     }
   }
-  if (Where there_where = Where::kTo;
-      i + 1 < end && words_[i + 1] == "there" && place_preposition(word, &there_where)) {
+  const auto behind_there = [&] {  // "pour the coke in there"
+    Where there_where = Where::kTo;
+    if (i + 1 >= end || words_[i + 1] != "there" || !place_preposition(word, &there_where)) return false;
     NounPhrase there;
     there.role = Role::kDestination, there.pronoun = true, there.word = "there", there.where = there_where;
-    clause.phrases.push_back(there);
-    return i + 2;
-  }
+    clause.phrases.push_back(std::move(there));
+    return true;
+  };
+  if (language_.hears_people() && behind_there()) return i + 2;
   if (one_of(word, kParticles) &&
       !(one_of(word, kParticles) && place_preposition(word) && reader_.starts(i + 1, end) &&
         !(clause.first(Role::kDirect) == nullptr && (word == "on" || word == "over")))) {
@@ -88,6 +90,7 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
       return k + 1;
     }
   }
+  if (behind_there()) return i + 2;
   // "the sink is for dirty things, I would like both plates there"
   if (language_.hears_people() && word == "there" && clause.wish && clause.phrases.size() == 1 &&
       ends_here(i + 1, end) && !result_.clauses.empty())

@@ -58,7 +58,8 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       i = done;
       continue;
     }
-    if (NounPhrase phrase; word == "not" && !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
+    if (NounPhrase phrase;
+        word == "not" && !opens_command(i + 1, end)) {  // "the mug, not the glass, in the sink"
       if (const std::size_t done = denied(i, end, phrase); done != i) {
         clause.phrases.push_back(std::move(phrase));
         i = done;

@@ -1,5 +1,5 @@
-// What is left out or denied: "all but the mug", "the book, not the one on the couch", "on the table rather than on
-// the couch".
+// What is left out or denied: "all but the mug", "the book, not the one on the couch", "on the table rather
+// than on the couch".
 #include "components/goalnet/language/clause_parser.h"
 #include "components/goalnet/language/word_groups.h"
 
@@ -45,7 +45,7 @@ std::size_t ClauseParser::denied(std::size_t at, std::size_t end, NounPhrase& ph
   if (at + 1 >= end || words_[at] != "not") return at;
   NounPhrase there;
   const std::size_t done = reader_.read(at + 1, end, phrase);
-  if (done == at + 1 || phrase.person) return at;
+  if (done == at + 1 || (phrase.person && language_.hears_people())) return at;
   phrase.role = Role::kExcept;
   const bool one = phrase.word == "one" || phrase.word == "that";
   const std::size_t after = language_.hears_people() && one ? reader_.read_place(done, end, there) : done;
@@ -69,8 +69,8 @@ std::size_t ClauseParser::not_that_one(std::size_t at, std::size_t end) {
   return done;
 }
 
-// "everything on the couch except the xbox (should go on the table)": what stands before the verb, from the end of
-// the subject's name on; `at` where nothing is left out.
+// "everything on the couch except the xbox (should go on the table)": what stands before the verb, from the
+// end of the subject's name on; `at` where nothing is left out.
 std::size_t ClauseParser::subject_but(std::size_t at, std::size_t end, NounPhrase& subject,
                                       NounPhrase& left_out) const {
   if (!language_.hears_people() || at >= end) return at;

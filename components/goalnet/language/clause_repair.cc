@@ -122,7 +122,8 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
     next = skip_joins(done, end);
   }
   if (const std::size_t stop = part_end(next, end);  // "no, scratch that, I am driving, the coke"
-      language_.hears_people() && next < end && stop < end && (tells(next, stop) || words_[next] == "wish_to"))
+      language_.hears_people() && next < end && stop < end &&
+      (tells(next, stop) || words_[next] == "wish_to"))
     for (next = skip_joins(stop, end); next < end && words_[next] == "so";) ++next;
   if (language_
           .hears_people())  // "swap the beer and the coke's ... no wait": what was left of it goes as well
@@ -176,8 +177,10 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   if (NounPhrase place;
       role == Role::kDirect && done != next) {  // "put the lid, no, the plate on the counter"
     const std::size_t after = reader_.read_place(done, end, place);
-    if (after != done && !place.person && ends_here(after, end) && (last->frame == Frame::kTake || last->frame == Frame::kBring) &&
-        last->first(Role::kDestination) == nullptr && language_.hears_people() && !phrase.pronoun) {  // "the book from the shelf, no, the one on the table"
+    if (after != done && !place.person && ends_here(after, end) &&
+        (last->frame == Frame::kTake || last->frame == Frame::kBring) &&
+        last->first(Role::kDestination) == nullptr && language_.hears_people() &&
+        !phrase.pronoun) {  // "the book from the shelf, no, the one on the table"
       phrase.at.push_back(place);
       done = after;
     } else if (after != done && !place.person && ends_here(after, end) &&

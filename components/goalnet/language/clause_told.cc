@@ -34,7 +34,8 @@ std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
                                              "must"sv, "need"sv,  "has"sv, "belong"sv};
       std::size_t done = reader_.read(next, end, subject);
       for (NounPhrase more; done != next && done + 1 < end && words_[done] == "and"; more = {}) {
-        const std::size_t after = reader_.read(done + 1, end, more);  // "so both plates and the bowl need ..."
+        const std::size_t after =
+            reader_.read(done + 1, end, more);  // "so both plates and the bowl need ..."
         if (after == done + 1 || more.person || more.unknown) break;
         done = after;
       }
@@ -79,7 +80,8 @@ bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
 // "my kid only drinks from the glass": behind a person and such an adverb a name is a verb.
 bool ClauseParser::does_often(std::size_t at, std::size_t verb) const {
   static constexpr std::array kOften = {"only"sv, "always"sv, "never"sv, "just"sv, "also"sv, "still"sv};
-  if (!language_.hears_people() || verb <= at || !one_of(words_[verb - 1], kOften)) return false;
+  if (!language_.hears_people() || verb <= at || verb >= words_.size() || !one_of(words_[verb - 1], kOften))
+    return false;
   std::size_t who = verb - 1;
   while (who > at && one_of(words_[who], kOften)) --who;
   return language_.person(words_[who]) && language_.english_verb(words_[verb]);
@@ -91,7 +93,7 @@ void ClauseParser::add_told(std::size_t at, std::size_t stop) {
   clause.mood = Mood::kStatement;
   std::size_t thing_end = SIZE_MAX;
   for (std::size_t i = at; i < stop;) {
-    if (does_often(at, i)) ++i;
+    if (does_often(at, i + 1)) i += 2;
     NounPhrase phrase;
     std::size_t done = reader_.read_place(i, stop, phrase);
     const bool place = done != i;

@@ -93,7 +93,8 @@ class Coverage {
       length = std::max<std::size_t>(reader.name_length(i), 1);
       if (text[i] == "." || text[i] == ",") beside = false;
       const bool goes_on = text[i] == "so" && i + 1 < text.size() && !one_of(text[i + 1], kSubjects);
-      beside = beside || (one_of(text[i], kSubordinate) && !goes_on) || one_of(text[i], kElse) || one_of(text[i], kTurns);
+      beside = beside || (one_of(text[i], kSubordinate) && !goes_on) || one_of(text[i], kElse) ||
+               one_of(text[i], kTurns);
       const bool verb =
           length == 1 && language_.verb(text[i]) != Frame::kNone;  // "lay", also a name of crisps
       const bool which = i + length < text.size() && text[i + length] == "one";  // "the vanilla one"
@@ -103,7 +104,8 @@ class Coverage {
       const Objects meant = carried(name);
       if (!meant.empty() && !any_in(meant, used_) && !any_in(meant, spoken)) return meant.front();
       const Objects there = fixed(name);
-      if (!there.empty() && !any_in(there, concerned_) && std::find(read.begin(), read.end(), name) == read.end())
+      if (!there.empty() && !any_in(there, concerned_) &&
+          std::find(read.begin(), read.end(), name) == read.end())
         return there.front();
     }
     return kNone;

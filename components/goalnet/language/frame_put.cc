@@ -134,8 +134,9 @@ std::string FrameActions::put(const Clause& said) {
       return pour(poured);
     }
     // "chocolate sauce on the ice cream"
-    const Objects bottle =
-        thing->pronoun || thing->everything ? Objects{} : resolver_.options(*thing, Sort::kMovable, now_);
+    const Objects bottle = thing->pronoun      ? pronoun(*thing, Sort::kMovable, into)
+                           : thing->everything ? Objects{}
+                                               : resolver_.options(*thing, Sort::kMovable, now_);
     if (!into.empty() && into.front() == resolver_.ice_cream() && !bottle.empty() &&
         now_.has(Relation::kIsSqueezeable, bottle.front()))
       return add_to(clause);

@@ -79,8 +79,8 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
                                           "three"sv, "following"sv, "these"sv, "the"sv,  "things"sv};
     std::size_t verb_end = i;
     while (verb_end > begin && one_of(words[verb_end - 1], kThese)) --verb_end;
-    if (verb_end < i && verb_end > begin && i + 1 < stop &&
-        language.verb(words[begin]) != Frame::kNone && !language.participle(words[begin])) {
+    if (verb_end < i && verb_end > begin && i + 1 < stop && language.verb(words[begin]) != Frame::kNone &&
+        !language.participle(words[begin])) {
       words.erase(words.begin() + static_cast<long>(verb_end), words.begin() + static_cast<long>(i) + 1);
       i = verb_end;
       continue;

@@ -218,10 +218,9 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
                          (words_.text[done] == "in" || words_.text[done] == "inside") &&
                          (done + 1 == end || words_.text[done + 1] == "it" ||
                           words_.text[done + 1] == "them" || words_.text[done] == "inside");
-      const bool carrier =
-          language_.hears_people() && word == "with" && !inner.bare() &&
-          (phrase.word == "one" ||
-           (!inner.definite && (phrase.phrase == "bottle" || phrase.phrase == "can")));
+      const bool carrier = language_.hears_people() && word == "with" && !inner.bare() &&
+                           (phrase.word == "one" ||
+                            (!inner.definite && (phrase.phrase == "bottle" || phrase.phrase == "can")));
       if (done != from && language_.content(inner.phrase) != symbol::kNone && (filled || in_it || carrier)) {
         phrase.content = inner.phrase;
         i = in_it ? std::min(done + (words_.text[done] == "inside" &&

@@ -70,9 +70,8 @@ class Resolver {
   // Whether it is where the phrase says: "the book that is on the table", "the books from the table and the
   // couch".
   bool is_where_said(Symbol object, const NounPhrase& phrase, const SymState& now) const {
-    return std::any_of(phrase.at.begin(), phrase.at.end(), [&](const NounPhrase& place) {
-      return is_at(object, place, now) != place.negated;
-    });
+    return std::any_of(phrase.at.begin(), phrase.at.end(),
+                       [&](const NounPhrase& place) { return is_at(object, place, now) != place.negated; });
   }
   // Whether a vessel holds nothing.
   bool is_empty(Symbol object, const SymState& now) const;
