@@ -33,6 +33,8 @@ bool ClauseParser::leaves_command(std::size_t i, std::size_t next, std::size_t e
       std::none_of(words_.begin() + static_cast<long>(i), words_.begin() + static_cast<long>(end),
                    [](const std::string& word) { return word == "or" || word == "and"; }))
     return true;  // "do not wash the bowl, the plates"
+  if (language_.hears_people() && words_[next - 1] == "no" && reader_.name_length(next) > 0)
+    return true;  // "a scoop in the bowl, no syrup"
   if (comma && likes_doing(next, end)) return true;
   if (comma && tells_time(next, part_end(next, end))) return true;  // "bring the mug, bus in an hour"
   if (!language_.hears_people()) return false;

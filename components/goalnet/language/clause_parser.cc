@@ -75,8 +75,14 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   if (const std::size_t stop = none_there(at, end); stop != at) return stop;
   if (const std::size_t stop = idle(at, end); stop != at) return stop;
   if (const std::size_t stop = of_the_same(at, end); stop != at) return stop;
+  const std::size_t joined = at;
   at = skip_joins(at, end);
   if (at >= end) return at;
+  if (NounPhrase none; language_.hears_people() && at > joined && words_[at - 1] == "no" &&
+                       !result_.clauses.empty() && reader_.name_length(at) > 0) {
+    const std::size_t done = reader_.read(at, end, none);  // "..., no syrup": is left out anyway
+    if (done != at && ends_here(done, end)) return done;
+  }
   if (const std::size_t stop = idle(at, end); stop != at) return stop;
   if (const std::size_t stop = none_there(at, end); stop != at) return stop;
   if (const std::size_t stop = has_to_be(at, end); stop != at) return stop;

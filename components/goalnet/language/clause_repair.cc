@@ -150,6 +150,15 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   }
   if (alone) return std::max(next, at + 1);
   if (const std::size_t stop = other_way(next, end, *last); stop != next) return stop;
+  // "turn it down, or better still off"
+  std::size_t state = next;
+  while (language_.hears_people() && state < end && words_[state] == "still") ++state;
+  if (language_.hears_people() && state < end && last->first(Role::kDirect) != nullptr &&
+      language_.wanted_by_state(words_[state]) != Frame::kNone && ends_here(state + 1, end)) {
+    last->frame = language_.wanted_by_state(words_[state]), last->verb = words_[state];
+    last->particles.clear(), last->state.clear(), last->words = {words_[state]};
+    return part_end(state, end);
+  }
   if (NounPhrase* named = nullptr; language_.hears_people() && next < end && number_word(words_[next]) > 0 &&
                                    (next + 1 >= end || words_[next + 1] == ",")) {  // "one book, no, two"
     for (NounPhrase& old : last->phrases)

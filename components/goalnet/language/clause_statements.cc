@@ -228,6 +228,15 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   if (!verb_seen) return fragment(at, end);
   Clause clause;
   clause.mood = Mood::kStatement;
+  static constexpr std::array kShows = {"has"sv, "have"sv, "show"sv, "play"sv};
+  if (language_.hears_people() && subject.phrase == "channel" && subject.number > 0 && !negative &&
+      named < end &&
+      one_of(words_[named], kShows)) {  // "channel one has the news": like "the news is on ..."
+    clause.frame = Frame::kChange, clause.verb = "change", clause.wish = true;
+    clause.phrases = {subject};
+    add(std::move(clause));
+    return part_end(k, end);
+  }
   clause.phrases = subjects;
   clause.phrases.front() = subject;
   clause.negative = negative;

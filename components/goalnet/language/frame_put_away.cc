@@ -24,6 +24,11 @@ std::string FrameActions::put_without_place(const Clause& clause) {
         resolver_.is_of_class(
             resolver_.named(*thing).empty() ? Symbol{kNone} : resolver_.named(*thing).front(), "kettle"))
       return heat(clause, true);  // "put the kettle on"
+    if (const Objects that = on && at_home_ && thing != nullptr && thing->pronoun
+                                 ? pronoun(*thing, Sort::kMovable, {})
+                                 : Objects{};
+        !that.empty() && resolver_.is_of_class(that.front(), "kettle"))
+      return heat(clause, true);  // "fill the kettle and put it on"
   }
   if (clause.has_particle("under_tap")) {  // "put the glass under the tap"
     Problem problem;

@@ -60,6 +60,21 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       }
       clause.mood = Mood::kCommand;
     }
+  // "switch the tv on, channel one has the news"
+  const bool tv_on =
+      language_.hears_people() &&
+      std::any_of(sentence.clauses.begin(), sentence.clauses.end(), [&](const Clause& c) {
+        return c.mood == Mood::kCommand && c.first(Role::kDirect) != nullptr &&
+               (c.frame == Frame::kStart || (c.frame == Frame::kTurn && c.has_particle("on"))) &&
+               lexicon_.is_name_of(c.first(Role::kDirect)->phrase, "tv");
+      });
+  const bool channel_asked =
+      std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
+                  [&](const Clause& c) { return c.mood == Mood::kCommand && c.frame == Frame::kChange; });
+  for (Clause& clause : sentence.clauses)
+    if (tv_on && !channel_asked && clause.mood == Mood::kStatement && clause.wish &&
+        clause.frame == Frame::kChange)
+      clause.mood = Mood::kCommand;
   bool any_command = std::any_of(sentence.clauses.begin(), sentence.clauses.end(), asks);
   if (!any_command) {
     for (Clause& clause : sentence.clauses)

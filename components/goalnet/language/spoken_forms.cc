@@ -171,6 +171,24 @@ void not_but(std::vector<std::string>& words) {
   }
 }
 
+// "the beer. No, I am driving. Coke then.": the reason in between is passed over
+void reasons_of_corrections(std::vector<std::string>& words) {
+  static constexpr std::array kWho = {"i"sv, "we"sv, "it"sv, "he"sv, "she"sv, "they"sv, "that"sv};
+  constexpr std::size_t kLongest = 3;
+  for (std::size_t i = 1; i + 4 < words.size(); ++i) {
+    if (words[i - 1] != "." || words[i] != "no") continue;
+    const std::size_t who = words[i + 1] == "," ? i + 2 : i + 1;
+    if (!one_of(words[who], kWho)) continue;
+    std::size_t end = who;
+    while (end < words.size() && words[end] != "." && words[end] != ",") ++end;
+    std::size_t next = end + 1, last = next;
+    while (last < words.size() && words[last] != ".") ++last;
+    if (end >= words.size() || words[end] != "." || last <= next || last - next > kLongest) continue;
+    words.erase(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(next));
+    words.insert(words.begin() + static_cast<long>(i), {"no", ","});
+  }
+}
+
 void afterthoughts_first(std::vector<std::string>& words) {
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
     if (words[i] != "i" || (words[i + 1] != "mean" && words[i + 1] != "meant") || !ends_part(words, i + 2))

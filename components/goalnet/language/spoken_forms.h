@@ -27,6 +27,7 @@ void not_but(std::vector<std::string>& words);
 // the shelf".
 void name_the_one(std::vector<std::string>& words, const Language& language);
 // "on the coffee table, snack table I mean" -> "on the coffee table, correction snack table".
+void reasons_of_corrections(std::vector<std::string>& words);
 void afterthoughts_first(std::vector<std::string>& words);
 // "the salt, which should not be here, belongs on the counter" -> "the salt belongs on the counter".
 void drop_relative_parts(std::vector<std::string>& words, const Language& language);

@@ -146,6 +146,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     last_requests(text, language);
     needs_first(text);
     no_places(text);
+    reasons_of_corrections(text);
     afterthoughts_first(text);
     not_but(text);
     name_the_one(text, language);

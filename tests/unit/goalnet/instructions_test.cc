@@ -129,6 +129,21 @@ TEST_F(Instructions, ANumberThatNothingHasIsToldWithWhatThereIs) {
   EXPECT_NE(refusal("kitchen", "turn on burner 7").message.find("StoveFire_4"), std::string::npos);
 }
 
+TEST_F(Instructions, WhatStandsElsewhereIsAnUnknownObjectAndToldWhere) {
+  const Error error = refusal("living_room", "give me the pillow that's on the coffee table");
+  EXPECT_EQ(error.outcome, Outcome::kUnknownObject);
+  EXPECT_NE(error.message.find("Pillow_3 is at Shelf_1"), std::string::npos) << error.message;
+}
+
+TEST_F(Instructions, WhatIsNotAsToldIsNotSaidToBeDone) {
+  for (const char* sentence :
+       {"somebody left a burner on again, switch it off", "the tap is running, turn it off"}) {
+    const Error error = refusal("kitchen", sentence);
+    EXPECT_EQ(error.outcome, Outcome::kNotUnderstood);
+    EXPECT_NE(error.message.find(" is not "), std::string::npos) << error.message;
+  }
+}
+
 TEST_F(Instructions, HalfOfWhatWasAskedIsNoAnswer) {
   const std::map<std::string, std::string> half = {{"iron my shirt and bring me the mug", "shirt"},
                                                    {"order a pizza. Then bring me the mug", "pizza"},
