@@ -13,7 +13,8 @@ struct CrossValidateRequest {
   int only = 0;  // how many of the folds to run; 0: all
   std::uint64_t seed = 7;
   unsigned threads = 1;
-  std::string runs;  // write the runs here, for score.py; empty: nowhere
+  std::string sentences;  // table of other sentences to test with; empty: the recorded ones
+  std::string runs;       // write the runs here, for score.py; empty: nowhere
   bool json = false;
 };
 

@@ -11,6 +11,7 @@
 
 #include "components/core/config_path.h"
 #include "components/goalnet/evaluation.h"
+#include "components/goalnet/other_sentences.h"
 #include "tools/goalnet/command.h"
 #include "tools/goalnet/command_line.h"
 #include "tools/goalnet/cross_validate.h"
@@ -37,13 +38,14 @@ int eval_command(int argc, char** argv) {
   if (std::find(argv + 1, argv + argc, std::string_view("--physics")) != argv + argc)
     return become("goalnet-robot", "eval", argc, argv);
   CLI::App app("Scores a goal model on a folder of demonstrations.", "goalnet eval");
-  std::string folder, model = config_path("models/goalnet.safetensors"), grounding = "given", runs;
+  std::string folder, model = config_path("models/goalnet.safetensors"), grounding = "given", runs, sentences;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   bool json = false, perturbed = false;
   app.footer(
       "Examples:\n"
       "  goalnet eval demonstrations --grounding none --runs runs.jsonl\n"
       "  goalnet eval demonstrations --cross-validate scenario --fold-seed 7 --json\n"
+      "  goalnet eval demonstrations --cross-validate scenario --sentences paraphrases.tsv\n"
       "  goalnet eval demonstrations --physics --limit 20");
   app.add_option("DIR", folder, "folder of demonstrations (*.json)")->required();
   app.add_option("--model", model, "model file")->capture_default_str();
@@ -52,6 +54,10 @@ int eval_command(int argc, char** argv) {
       ->check(CLI::IsMember({"given", "none"}))
       ->capture_default_str();
   app.add_option("--runs", runs, "write every run to this file, one JSON object a line (for score.py)");
+  app.add_option(
+      "--sentences", sentences,
+      "test with other sentences: a table of file name of a demonstration, tab, sentence. Only what "
+      "it names is tested; training hears the recorded ones");
   app.add_option("--threads", threads, "worker threads")->check(CLI::Range(1u, 256u))->capture_default_str();
   app.add_flag("--include-perturbed", perturbed, "score the randomly perturbed a_* files too");
   app.add_flag("--physics")
@@ -74,12 +80,21 @@ int eval_command(int argc, char** argv) {
 
   if (!by.empty()) {
     validation.folder = folder, validation.by = by, validation.grounding = grounding, validation.runs = runs;
+    validation.sentences = sentences;
     validation.threads = threads, validation.json = json;
     return cross_validate(validation);
   }
 
   auto demonstrations = read_demonstrations(folder);
   if (!demonstrations) return report(demonstrations.error());
+  if (!sentences.empty()) {
+    const auto others = read_other_sentences(sentences);
+    if (!others) return report(others.error());
+    if (const auto fits = check_other_sentences(*others, *demonstrations); !fits) return report(fits.error());
+    std::erase_if(*demonstrations, [&](const Demonstration& d) { return !others->contains(d.id); });
+    for (Demonstration& demonstration : *demonstrations)
+      demonstration = with_sentence(std::move(demonstration), *others);
+  }
   if (!perturbed) std::erase_if(*demonstrations, [](const Demonstration& d) { return d.perturbed; });
   if (demonstrations->empty())
     return report({Outcome::kInvalidRequest, folder + ": holds only perturbed demonstrations"});
@@ -115,6 +130,7 @@ int eval_command(int argc, char** argv) {
     object["count"] = evaluation->runs.size();
     object["refused"] = refused;
     object["grounding"] = grounding;
+    if (!sentences.empty()) object["sentences"] = sentences;
     object["model"] = model;
     object["seconds"] = seconds;
     print_json(object);

@@ -85,7 +85,7 @@ Expected<FoldScores> run_fold(const std::vector<Demonstration>& demonstrations, 
                               const std::function<void(double)>& progress) {
   std::vector<Demonstration> seen, unseen;
   for (const std::size_t i : fold.train) seen.push_back(demonstrations[i]);
-  for (const std::size_t i : fold.test) unseen.push_back(demonstrations[i]);
+  for (const std::size_t i : fold.test) unseen.push_back(with_sentence(demonstrations[i], options.sentences));
   TrainingOptions training = options.training;
   training.given = options.grounding, training.none = !options.grounding;
   training.progress = [&](const std::string&, double done) {

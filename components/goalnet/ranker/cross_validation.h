@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "components/goalnet/evaluation.h"
+#include "components/goalnet/other_sentences.h"
 #include "components/goalnet/ranker/train.h"
 
 namespace goalnet::inference {
@@ -30,6 +31,8 @@ struct CrossValidationOptions {
   bool grounding = true;
   unsigned threads = 1;      // folds at a time
   TrainingOptions training;  // its progress is not called
+  OtherSentences
+      sentences;  // said instead of the recorded ones when testing; training hears the recorded ones
   // Share of the whole that is done, from one thread at a time.
   std::function<void(double done)> progress;
 };
