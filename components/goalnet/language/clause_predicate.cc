@@ -21,6 +21,7 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
   };
   while (i < end && (!language_.joins(words_[i]) || goes_on()) && words_[i] != "so") {
     if (words_[i] == ",") ++i;
+    if (language_.hears_people() && i > at && words_[i] == "correction") return i;
     const std::string& word = words_[i];
     // "should be off when I get back", "should be in the sink if it is dirty"
     static constexpr std::array kHangsOn = {"when"sv, "if"sv, "unless"sv, "as"sv, "because"sv};

@@ -26,6 +26,16 @@ std::string FrameActions::check_forbidden(const Clause& clause, const SymState& 
   other.steps_.clear();
   other.now_ = start;
   const std::string problem = other.add(clause);
+  // "don't wash the bowl, wash the plates": that needs the tap as well, but not the bowl
+  Objects about;
+  for (const NounPhrase& phrase : clause.phrases)
+    if (at_home_ && phrase.role == Role::kDirect && !phrase.pronoun && !phrase.bare())
+      for (const Symbol object : other.resolver_.options(phrase, Sort::kAny, start)) about.push_back(object);
+  const auto concerns = [&](const SymAction& action) {
+    return contains(about, action.x) || contains(about, action.y);
+  };
+  if (std::any_of(other.macros_.begin(), other.macros_.end(), concerns))
+    std::erase_if(other.macros_, [&](const SymAction& action) { return !concerns(action); });
   SymState now = start;
   for (const SymAction& macro : macros_) {
     for (const SymAction& action : with_means(macro, now)) {

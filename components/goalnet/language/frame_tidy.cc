@@ -66,6 +66,7 @@ std::string FrameActions::discard(const Clause& clause) {
 }
 
 std::string FrameActions::swap(const Clause& clause) {
+  if (at_home_ && clause.has("channel")) return television(clause);  // "swap the channel to four"
   Problem problem;
   Objects two;
   const NounPhrase* thing = clause.first(Role::kDirect);

@@ -90,7 +90,10 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
   if (one_of(word, kPronouns) || one_of(word, kPointers)) {
     phrase.pronoun = true, phrase.word = word;
     phrase.plural = word == "them" || word == "they" || word == "these" || word == "those" || phrase.all;
-    if (i + 1 < end && (words_.text[i + 1] == "all" || words_.text[i + 1] == "both") && !starts(i + 2, end))
+    const bool given = language_.hears_people() && i + 2 < end && one_of(words_.text[i + 2], kArticles) &&
+                       words_.text[i + 2] != "the";  // "give them both a rinse"
+    if (i + 1 < end && (words_.text[i + 1] == "all" || words_.text[i + 1] == "both") &&
+        (given || !starts(i + 2, end)))
       ++i, phrase.plural = true;
     return i + 1;
   }

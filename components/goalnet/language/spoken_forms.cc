@@ -53,7 +53,7 @@ void resolve_endings(std::vector<std::string>& words, const Language& language) 
     // "this coffee's ancient, ...": of a word behind which the part ends
     const bool describes = !noun_next && ends_part(words, i + 2);
     if (one_of(next, kBehindIs) || (state && !noun_behind) || (verb_form && !noun_behind) || describes)
-      kept.emplace_back("is");
+      kept.emplace_back(next == "got" ? "has" : "is");  // "it's got coffee in it"
   }
   words = std::move(kept);
 }
