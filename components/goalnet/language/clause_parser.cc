@@ -180,7 +180,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   // "so that I can sit", "so I can sit" say why; "so the coke please" goes on
   static constexpr std::array kOught = {"can"sv,  "should"sv, "must"sv,   "may"sv,  "could"sv,
                                         "goes"sv, "has"sv,    "belong"sv, "needs"sv};
-  const bool that_ought = at + 2 < end && words_[at + 1] == "that" && one_of(words_[at + 2], kOught);
+  const bool that_ought =
+      at + 2 < end && words_[at + 1] == "that" && (one_of(words_[at + 2], kOught) || words_[at + 2] == "one");
   const bool purpose = at + 1 < end && !that_ought &&
                        (words_[at + 1] == "that" || words_[at + 1] == "i" || words_[at + 1] == "we" ||
                         words_[at + 1] == "nobody");

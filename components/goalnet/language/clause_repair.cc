@@ -36,7 +36,11 @@ std::size_t ClauseParser::narrows(std::size_t at, std::size_t end) {
   } else {
     place = same.at.front();
   }
-  if (!ends_here(done, end)) return at;
+  // "the one on the shelf is the softest"
+  const bool praised = language_.hears_people() && the_one && done + 2 < end && words_[done] == "is" &&
+                       words_[done + 1] == "the" && words_[done + 2].ends_with("est");
+  if (praised) done += 3;
+  if (!ends_here(done, end) && !(praised && words_[done] == "so")) return at;
   std::vector<NounPhrase>& phrases = result_.clauses.back().phrases;
   const auto meant = [&](const NounPhrase& phrase) {
     return !phrase.pronoun && phrase.at.empty() &&

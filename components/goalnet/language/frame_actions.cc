@@ -80,6 +80,7 @@ std::string FrameActions::add(const Clause& clause) {
   if (const bool asked = wanted(clause, problem); !asked || !problem.empty()) return problem;
   const SymState before = now_;
   const std::size_t count = macros_.size();
+  named_.clear();
   problem = dispatch(clause);
   if (!problem.empty()) {
     now_ = before;

@@ -138,6 +138,7 @@ class FrameActions {
   Objects last_destination_;                  // what "there" means
   std::string content_told_;                  // "there is coffee in the mug": "it" may mean the coffee
   Objects taken_;                             // in the hands because somebody wants it there
+  Objects named_;                             // by parts that only name something, since the last command
   Objects mass_;                              // "everything", newest: "it" means all of that
   std::vector<std::pair<int, bool>> judged_;  // conditions by their numbers, and whether they held
   Problem elsewhere_;                         // where the things are that are not where the sentence says

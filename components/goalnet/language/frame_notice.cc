@@ -67,6 +67,13 @@ void FrameActions::notice(const Clause& clause) {
         !resolver_.class_of(objects.front())->movable)
       last_destination_ = {objects.front()};
   }
+  // "fork. spoon. salt. bring them": all that was named
+  const bool only_named = at_home_ && clause.phrases.size() == 1 && clause.state.empty() && told == 1 &&
+                          clause.frame == Frame::kNone && clause.phrases.front().at.empty() &&
+                          !clause.phrases.front().everything;
+  if (!only_named) named_.clear();
+  if (only_named) named_.insert(named_.begin(), together.begin(), together.end());  // the newest is "it"
+  if (named_.size() > 1) history_.push_back(named_);
   if (told > 1) history_.push_back(together);
 }
 

@@ -130,6 +130,14 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
         phrase.phrase = phrase.word = last_thing_;
         return i + 1;
       }
+      // "one pillow is not enough, get me two"
+      if (language_.hears_people() && number > 1 && !determined && i == at && at > 0 &&
+          (one_of(words_.text[at - 1], kPersons) || language_.verb(words_.text[at - 1]) != Frame::kNone) &&
+          !last_thing_.empty() && !language_.tv_word(last_thing_) && !lexicon_.is_place_name(last_thing_) &&
+          (i + 1 >= end || words_.text[i + 1] == "please")) {
+        phrase.phrase = phrase.word = last_thing_, phrase.count = number, phrase.plural = true;
+        return i + 1;
+      }
       if (i + 1 >= end) break;
       phrase.count = number, determined = true;
     } else if (const int ordinal = ordinal_word(word)) {
