@@ -248,7 +248,13 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
        result_.clauses.back().frame == Frame::kWash || result_.clauses.back().frame == Frame::kHeat) &&
       again(clause))
     return part_end(i, end);
-  if (only_harmless_from(i) && polite) {
+  // "spoon and fork": a list of things and nothing else
+  const bool list = language_.hears_people() && at == 0 && i >= words_.size() && clause.phrases.size() > 1 &&
+                    std::none_of(clause.phrases.begin(), clause.phrases.end(), [&](const NounPhrase& phrase) {
+                      return phrase.unknown || phrase.person || phrase.pronoun || phrase.bare() ||
+                             phrase.role != Role::kDirect || lexicon_->is_place_name(phrase.phrase);
+                    });
+  if (only_harmless_from(i) && (polite || list)) {
     clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;
     add(std::move(clause));
     while (language_.hears_people() && i < end && !language_.joins(words_[i])) ++i;
