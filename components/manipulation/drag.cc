@@ -101,6 +101,14 @@ class Sliding {
     return (in.array() > box_.lower.array() - kSlack).all() &&
            (in.array() < box_.upper.array() + kSlack).all();
   }
+  // The middle of the thing if it tips over that way, before it is moved.
+  Vector3d tipped(const Vector3d& by) const {
+    const Vector3d middle = 0.5 * (box_.lower + box_.upper), half = 0.5 * (box_.upper - box_.lower);
+    const Vector3d along = object_.linear().transpose() * by.normalized();
+    const Eigen::RowVector3d up = object_.linear().row(2);
+    const double ahead = along.cwiseAbs().dot(half), height = up.cwiseAbs().dot(half);
+    return object_ * middle + (ahead + height) * by.normalized();
+  }
 
  private:
   static constexpr double kFloorFriction = 0.8, kSureness = 1.15;
@@ -180,7 +188,8 @@ std::vector<Reach> drag_reaches(Workbench& bench, const std::string& object) {
       for (const Vector3d& point : points) {
         for (const double tilt : kTilts) {
           for (int h = 0; h < kDirections; ++h, ++tag) {
-            if (bench.held()[arm]) continue;
+            const bool slides = sliding.works(point, by);
+            if (bench.held()[arm] || !(slides || stays_up(bench, *pose, sliding.tipped(by) + by))) continue;
             const Pose press = pressing(bench.model().arms[arm].gripper, point,
                                         h * 2 * std::numbers::pi / kDirections, tilt);
             const bool level = tilt > kLevel;
@@ -190,8 +199,8 @@ std::vector<Reach> drag_reaches(Workbench& bench, const std::string& object) {
             reach.tool = {moved(press, up), press, moved(press, by), moved(press, by + up)};
             if (level) reach.tool.insert(reach.tool.begin(), backed(reach.tool.front(), kAlongItself));
             reach.tolerances.allow_all(bench.checker().hand_parts(arm), bench.checker().body(object));
-            reach.preference = 20.0 * by.norm() + tilt + 5.0 * (point - middle).head<2>().norm() +
-                               (sliding.works(point, by) ? 0.0 : kTips);
+            reach.preference =
+                20.0 * by.norm() + tilt + 5.0 * (point - middle).head<2>().norm() + (slides ? 0.0 : kTips);
             reach.tag = tag;
             out.push_back(std::move(reach));
           }

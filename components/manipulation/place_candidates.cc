@@ -54,9 +54,9 @@ const scene::FillRule* outlet_near(const scene::Scene& scene, const scene::Fixtu
   return nullptr;
 }
 
-double let_go_height(const Workbench& bench, std::size_t arm) {
+double let_go_height(const Workbench& bench, std::size_t arm, const Pose& turn) {
   const auto& gripper = bench.model().arms[arm].gripper;
-  const Pose tool = bench.held()[arm]->object_in_tool.inverse();  // in the object's frame
+  const Pose tool = turn * bench.held()[arm]->object_in_tool.inverse();  // in the object's frame, upright
   const double outside = 0.5 * bench.opening_of(bench.now(), arm) + kFingerThickness;
   double lowest = kAbove;
   for (const double x : {-0.5, 0.5}) {
@@ -66,6 +66,23 @@ double let_go_height(const Workbench& bench, std::size_t arm) {
     }
   }
   return kAbove - lowest;
+}
+
+std::optional<Pose> other_end(const scene::ObjectModel& model) {
+  constexpr double kLevel = 0.003;  // [m] between parts that it would stand on
+  constexpr double kWide = 0.7;     // of its width that those must have
+  constexpr double kFlat = 0.5;     // of its width, its height: what is lower has an up side
+  const auto box = scene::bounds(model.shapes);
+  const Eigen::Vector3d size = box.upper - box.lower;
+  if (model.cavity || size.z() < kFlat * size.head<2>().maxCoeff()) return std::nullopt;
+  std::vector<scene::Shape> top;
+  for (const auto& shape : model.shapes)
+    if (scene::bounds({shape}).upper.z() > box.upper.z() - kLevel) top.push_back(shape);
+  const auto end = scene::bounds(top);
+  if (((end.upper - end.lower).head<2>().array() < kWide * size.head<2>().array()).any()) return std::nullopt;
+  const Eigen::Vector3d middle = 0.5 * (box.lower + box.upper);
+  return Pose(Eigen::Translation3d(middle) * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()) *
+              Eigen::Translation3d(-middle));
 }
 
 Pose support_pose(const scene::Scene& scene, const scene::Region& region, const scene::Support& support) {

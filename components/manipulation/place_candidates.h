@@ -1,6 +1,7 @@
 // Free spots on surfaces and in containers for something that a hand holds.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,12 @@ const scene::FillRule* outlet_near(const scene::Scene& scene, const scene::Fixtu
                                    const Eigen::Vector3d& point, double distance);
 
 // How high above the surface the thing must be let go [m] so that the hand that holds it does not touch it: a
-// spoon is thinner than the fingers are long.
-double let_go_height(const Workbench& bench, std::size_t arm);
+// spoon is thinner than the fingers are long. `turn`: as from other_end().
+double let_go_height(const Workbench& bench, std::size_t arm, const Pose& turn = Pose::Identity());
+
+// For what stands as well on its other end (a cushion, a book, nothing that holds something): the pose, in
+// its frame when it stands upright, of the same thing the other way up, in the same space.
+std::optional<Pose> other_end(const scene::ObjectModel& model);
 
 // The regions that a name stands for: itself, or the compartments within it (Fridge).
 std::vector<const scene::Region*> regions_of(const scene::Scene& scene, const std::string& name);

@@ -7,6 +7,7 @@ namespace goalnet::manipulation {
 namespace {
 
 constexpr int kMostDrags = 4;
+constexpr int kFewIterations = 1'500;
 
 // What the phases of one attempt tell each other.
 struct GraspState {
@@ -83,6 +84,12 @@ Expected<Phases> GraspSkill::drag(Workbench& bench) {
     return fail(Outcome::kMotionFailed, object + " did not come along when it was dragged");
   };
   phases.push_back(away);
+  // From low over things the way to another grasp is hard to find: rather from the posture for driving.
+  Phase tuck;
+  tuck.stage = "tuck";
+  tuck.plan = [arm = reach.arm](Workbench& b) { return b.tuck(arm, kFewIterations); };
+  tuck.optional = true;
+  phases.push_back(tuck);
   return phases;
 }
 

@@ -16,7 +16,8 @@ struct PlaceWay {
 
 namespace {
 
-constexpr double kStepBack = 0.35;    // [m]
+constexpr std::size_t kOtherEnd = 1'000'000;  // added to tags
+constexpr double kStepBack = 0.35;            // [m]
 constexpr double kSmall = 0.30;       // [m] wide: a burner, where nothing is put that has to go somewhere
 constexpr double kClear = 0.30;       // [m] around a place that is to be kept clear
 constexpr double kElsewhere = 30.0;   // [s] rather aside in the same place than somewhere else
@@ -97,13 +98,13 @@ std::vector<PlaceCandidate> tray_candidates(Workbench& bench, const std::string&
 }
 
 std::vector<PlaceWay> ways(Workbench& bench, std::size_t arm, const std::vector<PlaceCandidate>& candidates,
-                           const std::vector<const scene::Region*>& origin) {
+                           const std::vector<const scene::Region*>& origin, const Pose& turn) {
   std::vector<PlaceWay> out;
   const Pose grip = bench.held()[arm]->object_in_tool.inverse();
-  const Eigen::Vector3d higher(0, 0, let_go_height(bench, arm));
+  const Eigen::Vector3d higher(0, 0, let_go_height(bench, arm, turn));
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     auto c = candidates[i];
-    c.object.translation() += higher;
+    c.object = moved(c.object, higher) * turn;
     PlaceWay way;
     way.object = c.object;
     way.reach.arm = arm;
@@ -221,7 +222,7 @@ bool PlaceSkill::runs_into(const Workbench& bench, const PlaceWay& way) const {
 }
 
 // By what is free now; those that failed already are left out.
-std::vector<PlaceWay> PlaceSkill::find_ways(Workbench& bench, std::size_t arm) const {
+std::vector<PlaceWay> PlaceSkill::find_ways(Workbench& bench, std::size_t arm, const Pose* turn) const {
   std::vector<const scene::Region*> origin;
   // What stood on the floor at the start is put down there.
   const bool on_floor = where_ == Where::kNearest && bench.scene().find_object(held_)->placement.on.empty();
@@ -229,7 +230,9 @@ std::vector<PlaceWay> PlaceSkill::find_ways(Workbench& bench, std::size_t arm) c
                           : on_floor             ? floor_candidates(bench, held_)
                                                  : candidates_for(bench, where_, held_, region_, origin);
   if (on_floor) origin.resize(candidates.size());
-  auto all = ways(bench, arm, candidates, origin);
+  auto all = ways(bench, arm, candidates, origin, turn != nullptr ? *turn : Pose::Identity());
+  if (turn != nullptr)
+    for (PlaceWay& way : all) way.reach.tag += kOtherEnd;
   std::erase_if(all, [&](const PlaceWay& w) {
     const bool near = keep_clear_ && (w.object.translation() - *keep_clear_).head<2>().norm() < kClear;
     return near || failed_.contains(w.reach.tag);
@@ -261,6 +264,15 @@ Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
     if (!found && found.error().outcome == Outcome::kMotionFailed)
       found = add_way_there(phases, bench, reaches, anyhow, what_);
   }
+  // Held by its foot, it stands on its other end, if nothing runs out of it.
+  const bool may_turn = std::ranges::none_of(bench.world().facts, [&](const Predicate& fact) {
+    return fact.relation == "state" && fact.subject == held_;
+  });
+  const auto turn = may_turn ? other_end(*bench.scene().find_model_of(held_)) : std::nullopt;
+  if (!found && found.error().outcome == Outcome::kMotionFailed && turn && where_ != Where::kTray) {
+    all = find_ways(bench, arm, &*turn);
+    if (auto way = add_way_there(phases, bench, reaches_of(all), options, what_)) found = std::move(way);
+  }
   if (!found && found.error().outcome == Outcome::kMotionFailed && !bench.supposes()) {
     std::vector<Reach> wanted;
     {
@@ -291,7 +303,8 @@ Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
       return fail(Outcome::kMotionFailed, object + " did not stay where it was put: it is " +
                                               std::to_string(static_cast<int>(off * 100)) + " cm away");
     }
-    if (tilt_of(*now) > 0.5) return fail(Outcome::kMotionFailed, object + " fell over when it was put down");
+    if (now->linear().col(2).dot(target.linear().col(2)) < std::cos(0.5))
+      return fail(Outcome::kMotionFailed, object + " fell over when it was put down");
     return {};
   };
   return phases;

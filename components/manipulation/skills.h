@@ -140,7 +140,8 @@ class PlaceSkill : public HeldSkill {
 
   bool runs_into(const Workbench& bench, const PlaceWay& way) const;
   Expected<Phases> step_back(Workbench& bench);
-  std::vector<PlaceWay> find_ways(Workbench& bench, std::size_t arm) const;
+  // `turn`: as from other_end(); null: upright.
+  std::vector<PlaceWay> find_ways(Workbench& bench, std::size_t arm, const Pose* turn = nullptr) const;
 
   Where where_;
   std::string region_;

@@ -32,7 +32,10 @@ Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPosition
     relaxed = checker_.baseline(target, at_goal, 0.003);
   }
   query.tolerances = &relaxed;
-  const double tilt = tilt_limit(arm);
+  double tilt = tilt_limit(arm);
+  // What holds nothing may be turned over on the way where it is to be put down like that.
+  if (held_[arm] && !upright(target, arm, tilt) && !contains_something(held_[arm]->name))
+    tilt = std::numbers::pi;
 
   PathQuery path;
   const TimedJoints limits = timed(joints);
