@@ -1,5 +1,6 @@
 #include "components/goalnet/other_sentences.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include "components/goalnet/tokenizer.h"
@@ -56,6 +57,14 @@ Expected<void> check_other_sentences(const OtherSentences& sentences,
   return fail(Outcome::kInvalidRequest,
               left.begin()->first + ".json: has a sentence, but is no demonstration of the folder" +
                   (left.size() > 1 ? " (and " + std::to_string(left.size() - 1) + " more)" : ""));
+}
+
+std::size_t count_left_out(const OtherSentences& sentences,
+                           const std::vector<Demonstration>& demonstrations) {
+  return static_cast<std::size_t>(
+      std::count_if(demonstrations.begin(), demonstrations.end(), [&](const Demonstration& demonstration) {
+        return !demonstration.perturbed && !sentences.contains(demonstration.id);
+      }));
 }
 
 Demonstration with_sentence(Demonstration demonstration, const OtherSentences& sentences) {

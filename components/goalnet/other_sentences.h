@@ -21,6 +21,9 @@ Expected<OtherSentences> read_other_sentences(const std::filesystem::path& path)
 Expected<void> check_other_sentences(const OtherSentences& sentences,
                                      const std::vector<Demonstration>& demonstrations);
 
+// How many demonstrations that could be tested the table leaves out.
+std::size_t count_left_out(const OtherSentences& sentences, const std::vector<Demonstration>& demonstrations);
+
 // The demonstration with its other sentence; everything else stays, the words of its grounding too.
 Demonstration with_sentence(Demonstration demonstration, const OtherSentences& sentences);
 

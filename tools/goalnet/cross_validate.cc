@@ -106,6 +106,9 @@ int cross_validate(const CrossValidateRequest& request) {
     auto read = read_other_sentences(request.sentences);
     if (!read) return report(read.error());
     if (const auto fits = check_other_sentences(*read, *demonstrations); !fits) return report(fits.error());
+    if (const std::size_t left = count_left_out(*read, *demonstrations); left > 0 && !request.json)
+      std::printf("%zu demonstrations have no sentence in %s and are not tested\n", left,
+                  request.sentences.c_str());
     sentences = std::move(*read);
     for (Fold& fold : *folds)
       std::erase_if(fold.test, [&](std::size_t i) { return !sentences.contains((*demonstrations)[i].id); });

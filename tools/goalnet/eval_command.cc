@@ -91,6 +91,8 @@ int eval_command(int argc, char** argv) {
     const auto others = read_other_sentences(sentences);
     if (!others) return report(others.error());
     if (const auto fits = check_other_sentences(*others, *demonstrations); !fits) return report(fits.error());
+    if (const std::size_t left = count_left_out(*others, *demonstrations); left > 0 && !json)
+      std::printf("%zu demonstrations have no sentence in %s and are not tested\n", left, sentences.c_str());
     std::erase_if(*demonstrations, [&](const Demonstration& d) { return !others->contains(d.id); });
     for (Demonstration& demonstration : *demonstrations)
       demonstration = with_sentence(std::move(demonstration), *others);

@@ -94,7 +94,9 @@ TEST(OtherSentences, MustFitTheDemonstrations) {
   EXPECT_TRUE(check_other_sentences({{"0_0", "grab it"}}, all));
   EXPECT_EQ(check_other_sentences({{"0_0", "grab it"}, {"7_7", "x"}, {"8_8", "x"}}, all).error().message,
             "7_7.json: has a sentence, but is no demonstration of the folder (and 1 more)");
+  EXPECT_EQ(count_left_out({{"0_0", "grab it"}}, all), 23u);
   all.front().perturbed = true;
+  EXPECT_EQ(count_left_out({{"0_1", "grab it"}}, all), 22u) << "perturbed ones are never tested";
   EXPECT_NE(check_other_sentences({{"0_0", "grab it"}}, all).error().message.find("perturbed"),
             std::string::npos);
   const Demonstration other = with_sentence(all[0], {{"0_0", "grab it"}});
