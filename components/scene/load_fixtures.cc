@@ -1,12 +1,9 @@
 #include <cmath>
-#include <numbers>
 
 #include "components/scene/load_parts.h"
 
 namespace goalnet::scene {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Joint read_joint(const std::string& part, YamlReader& reader) {
   Joint joint;

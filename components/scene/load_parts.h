@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "components/scene/yaml_reader.h"
 
 namespace goalnet::scene {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 // `at: [x, y, z]` and `rpy: [degrees]`, both optional.
 Pose read_pose(YamlReader& reader);

@@ -1,11 +1,8 @@
-#include <numbers>
 
 #include "components/scene/load_parts.h"
 
 namespace goalnet::scene {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Predicate read_fact(YamlReader& reader, const std::string& key) {
   const std::string text = reader.text(key);

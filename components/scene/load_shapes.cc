@@ -6,7 +6,6 @@
 namespace goalnet::scene {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMaxLength = 50.0;    // [m]
 constexpr double kMinLength = 0.0005;  // [m] thinner things make contacts unreliable
 

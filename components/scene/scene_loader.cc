@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <numbers>
 
 #include "components/core/config_path.h"
 #include "components/scene/load_parts.h"
@@ -8,8 +7,6 @@
 
 namespace goalnet::scene {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 void read_libraries(YamlReader& root, const std::filesystem::path& folder, Scene& scene) {
   for (const auto& library : root.texts("libraries")) {
