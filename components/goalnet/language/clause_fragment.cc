@@ -9,22 +9,6 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
-// "... And a pillow.", "the other plate too": what was asked before is asked of this as well.
-bool ClauseParser::again(const Clause& fragment) {
-  if (result_.clauses.empty()) return false;
-  Clause same = result_.clauses.back();
-  const bool instead = language_.hears_people() && same.mood == Mood::kForbidden &&
-                       same.first(Role::kDirect) != nullptr;  // "don't wash the bowl, just the plates"
-  if (same.mood != Mood::kCommand && !instead) return false;
-  same.mood = Mood::kCommand;
-  std::erase_if(same.phrases, [](const NounPhrase& phrase) {
-    return phrase.role == Role::kDirect || phrase.role == Role::kSource;
-  });
-  same.phrases.insert(same.phrases.begin(), fragment.phrases.begin(), fragment.phrases.end());
-  add(std::move(same));
-  return true;
-}
-
 // "spoon in sink", "tap on please", "volume down", "channel 5", "the mug please".
 std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   Clause clause;
@@ -271,23 +255,6 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   result_.stray.push_back(words_[at]);
   return std::max(i, at + 1);
-}
-
-// Whether the part, which nobody could read, begins as no request does: with a thing that goes on with words
-// that mean nothing here ("the right one sticks"). A thing alone, or with a place, may be a request.
-bool ClauseParser::says_nothing_here(std::size_t at, std::size_t end) const {
-  if (!language_.hears_people() || language_.english_verb(words_[at]) || !language_.known(words_[at]))
-    return false;
-  const std::size_t stop = part_end(at, end);
-  NounPhrase subject;
-  const std::size_t done = reader_.read(at, stop, subject);
-  if (done == at || subject.unknown) return false;
-  bool other_words = false;
-  for (std::size_t i = done; i < stop; ++i) {
-    if (reader_.name_length(i) > 0 || opens_command(i, stop)) return false;
-    other_words = other_words || (!harmless(i) && !place_preposition(words_[i]));
-  }
-  return other_words;
 }
 
 }  // namespace goalnet::inference

@@ -250,37 +250,4 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   return predicate(k, end, result_.clauses.back(), desired, negative);
 }
 
-// "why is the salt on the stove": nothing to do, but "it" means the salt from here on.
-std::size_t ClauseParser::question(std::size_t at, std::size_t end) {
-  Clause clause;
-  clause.mood = Mood::kQuestion;
-  std::size_t i = at + 1;
-  while (i < end && !language_.joins(words_[i])) {
-    NounPhrase phrase;
-    std::size_t done = reader_.read_place(i, end, phrase);
-    const bool place = done != i;
-    if (!place) done = reader_.read(i, end, phrase);
-    const bool first_thing = clause.first(Role::kDirect) == nullptr;
-    if (language_.hears_people() && done != i && phrase.phrase == "channel" && phrase.number > 0) {
-      clause.frame = Frame::kChange, clause.verb = "change";  // "is channel four any good? put it on"
-      phrase.role = Role::kDirect;
-      clause.phrases = {std::move(phrase)};
-      i = done;
-      continue;
-    }
-    if (done != i && !phrase.person && !phrase.unknown && !phrase.phrase.empty() && (place || first_thing)) {
-      // "is that my book on the table?": which book
-      if (place && language_.hears_people() && !clause.phrases.empty() &&
-          (language_.copula(words_[at]) || words_[at] == "which") &&
-          clause.phrases.back().role == Role::kDirect)
-        clause.phrases.back().at.push_back(phrase);
-      phrase.role = place ? Role::kDestination : Role::kDirect;
-      clause.phrases.push_back(phrase);
-    }
-    i = std::max(done, i + 1);
-  }
-  add(std::move(clause));
-  return i;
-}
-
 }  // namespace goalnet::inference

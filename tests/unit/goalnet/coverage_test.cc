@@ -34,6 +34,15 @@ TEST_F(CoverageTest, WhatNothingUsesIsNamedInTheRefusal) {
   expect_refused_for("living_room", "come to the couch with a pillow", "Pillow_1");
 }
 
+TEST_F(CoverageTest, PlacesMatterAsWell) {
+  expect_refused_for("kitchen", "tip the coffee away, it's from yesterday refrigerator", "Fridge");
+  expect_refused_for("kitchen", "the kettle's already burner, put the kettle in the microwave",
+                     "StoveFire_1");
+  // where what is used stands
+  expect_reached("kitchen", "the coke on the stove is a fire hazard, put it on the counter",
+                 "(On Coke_1 Counter_1)");
+}
+
 TEST_F(CoverageTest, WhatTellsSomethingApartOrIsLeftOutIsUsed) {
   expect_reached("kitchen", "bring me the mug, not the glass", "(Grasping Robot Mug_1)");
   expect_reached("kitchen", "my plate is dirty, bring me the mug", "(Grasping Robot Mug_1)");
