@@ -6,8 +6,6 @@
 
 namespace goalnet::planner {
 
-using Clock = Budget::Clock;
-
 // Optimal search, with satisficing ones in between where they give a first or a better plan sooner.
 void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options, Budget& budget) {
   constexpr std::int64_t kFirstNodes = 2000;    // most household problems end before
@@ -15,7 +13,7 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   constexpr std::int64_t kFewestNodes = 50;
   constexpr std::int64_t kNodesWithPlan = 20;  // times as many where a plan is known already
   constexpr std::size_t kLargeTask = 10'000;   // actions
-  auto found_at = Clock::now();
+  auto found_at = Budget::Clock::now();
   SearchLimits limits;
   limits.bytes = options.memory_limit;
   bool exclusion_tried = false;
@@ -40,7 +38,7 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
       best = satisficing.plan();
       plan.cost = limits.upper_bound = satisficing.cost();
       plan.statistics.method = satisficing.method();
-      if (!found) found_at = Clock::now();
+      if (!found) found_at = Budget::Clock::now();
       found = true;
       tell(plan, options);
     }
@@ -61,10 +59,10 @@ void Planner::Impl::improve(Plan& plan, bool& found, const SolveOptions& options
   };
   // A part of the time that is left, in eighths; with a plan, of what the proof limit leaves.
   const auto share = [&](int eighths) {
-    auto left = budget.limited() ? budget.deadline() - Clock::now() : std::chrono::nanoseconds(0);
+    auto left = budget.limited() ? budget.deadline() - Budget::Clock::now() : std::chrono::nanoseconds(0);
     if (found && options.proof_limit.count() > 0) {
       const auto proof =
-          std::max(options.proof_limit - (Clock::now() - found_at), std::chrono::nanoseconds(1));
+          std::max(options.proof_limit - (Budget::Clock::now() - found_at), std::chrono::nanoseconds(1));
       left = budget.limited() ? std::min<std::chrono::nanoseconds>(left, proof) : proof;
     }
     const bool limited = budget.limited() || (found && options.proof_limit.count() > 0);
