@@ -42,11 +42,12 @@ TEST(Rules, EqualTheBenchmarkDomain) {
     const Instruction nothing = see_instruction({}, nullptr, world.objects, lexicon, language, symbols);
     Places places;  // anything on and in anything
     for (ClassId id = 0; id < lexicon.classes(); ++id) places.on.push_back(id), places.in.push_back(id);
+    const Candidates all(nothing, lexicon, places);
     for (int walk = 0; walk < 6; ++walk) {
       world.facts = FactSet(facts);
       SymState state = to_sym_state(world.facts, symbols);
       for (int step = 0; step < 40; ++step) {
-        const auto choices = candidates(nothing, lexicon, places, state);
+        const auto choices = all.in(state);
         const SymAction wanted = choices[random.below(choices.size())];
         // Now and then the last action without its means: it must be refused by both or by neither.
         const auto run = with_means(wanted, state);
