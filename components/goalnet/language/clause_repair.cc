@@ -120,10 +120,19 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
                             one_of(words_[next], kParticles))))))
     ++next;
   // "no wait, not the egg, get me the syrup"
+  NounPhrase not_this;
   for (NounPhrase denied; language_.hears_people() && next + 1 < end && words_[next] == "not"; denied = {}) {
-    const std::size_t done = reader_.read(next + 1, end, denied);
+    std::size_t done = next + 1;
+    if (number_word(words_[done]) > 0 && done + 1 < end && words_[done + 1] == ",")
+      denied.number = number_word(words_[done++]);  // "not two, three"
+    else if (done = reader_.read_place(next + 1, end, denied); done == next + 1)
+      done = reader_.read(next + 1, end, denied);
     if (done == next + 1 || done >= end || words_[done] != ",") break;
-    next = skip_joins(done, end);
+    if (denied.number > 0 && denied.phrase.empty() && number_word(words_[done + 1]) > 0)
+      next = done + 1;
+    else
+      next = skip_joins(done, end);
+    not_this = denied;
   }
   if (const std::size_t stop = part_end(next, end);  // "no, scratch that, I am driving, the coke"
       language_.hears_people() && next < end && stop < end &&
@@ -135,6 +144,17 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
            result_.clauses[result_.clauses.size() - 2].mood == Mood::kCommand)
       result_.clauses.pop_back();
   Clause* last = result_.clauses.empty() ? nullptr : &result_.clauses.back();
+  const auto denies = [&](const NounPhrase& old) {
+    return !old.pronoun && (not_this.phrase.empty() || old.phrase == not_this.phrase) &&
+           (not_this.number == 0 || old.number == not_this.number);
+  };
+  const bool told_which = !not_this.phrase.empty() || not_this.number > 0;
+  if (told_which)  // "put the beer in the bin and wash the glass, oh no, not the beer, the coke"
+    for (auto of = result_.clauses.rbegin(); of != result_.clauses.rend(); ++of)
+      if (of->mood == Mood::kCommand && std::any_of(of->phrases.begin(), of->phrases.end(), denies)) {
+        last = &*of;
+        break;
+      }
   const bool wished = last != nullptr && language_.hears_people() && last->mood == Mood::kStatement &&
                       last->wish && last->frame != Frame::kNone && next < end && !opens_command(next, end) &&
                       words_[next] != "wish";
@@ -163,6 +183,14 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
     last->particles.clear(), last->state.clear(), last->words = {words_[state]};
     return part_end(state, end);
   }
+  // "two books, actually all"
+  if (language_.hears_people() && next < end && (words_[next] == "all" || words_[next] == "both") &&
+      ends_here(next + 1, end))
+    for (NounPhrase& old : last->phrases)
+      if (old.role == Role::kDirect && !old.pronoun && !old.phrase.empty()) {
+        old.count = words_[next] == "both" ? 2 : 0, old.plural = old.all = true;
+        return part_end(next, end);
+      }
   if (NounPhrase* named = nullptr; language_.hears_people() && next < end && number_word(words_[next]) > 0 &&
                                    (next + 1 >= end || words_[next + 1] == ",")) {  // "one book, no, two"
     for (NounPhrase& old : last->phrases)
@@ -232,6 +260,27 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
       const bool only = last->phrases.size() == 1 || old.unknown;
       if (only) role = old.role, phrase.where = old.where;
     }
+  // "the fork and the plate, no, not the plate, the spoon": only that one
+  if (const auto one = std::find_if(last->phrases.begin(), last->phrases.end(), denies);
+      told_which && one != last->phrases.end()) {
+    phrase.role = one->role, phrase.where = one->where;
+    *one = std::move(phrase);
+    return done;
+  }
+  // "take the book from the couch, sorry, the shelf"
+  if (NounPhrase* from = nullptr; language_.hears_people() && role == Role::kDirect &&
+                                  lexicon_->is_place_name(phrase.phrase) && phrase.at.empty()) {
+    for (NounPhrase& old : last->phrases) {
+      if (old.role == Role::kSource) from = &old;
+      if (old.role == Role::kDirect && !old.at.empty() && !lexicon_->is_place_name(old.phrase))
+        from = &old.at.back();
+    }
+    if (from != nullptr) {
+      phrase.role = from->role, phrase.where = from->where;
+      *from = std::move(phrase);
+      return done;
+    }
+  }
   phrase.role = role;
   last->unknown.clear();
   const bool other_place = !phrase.at.empty() && role == Role::kDirect;

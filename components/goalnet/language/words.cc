@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "components/goalnet/language/language.h"
+#include "components/goalnet/language/slips.h"
 #include "components/goalnet/language/spoken_forms.h"
 #include "components/goalnet/language/ways_of_saying.h"
 #include "components/goalnet/lexicon.h"
@@ -140,6 +141,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     }
   }
   if (language.hears_people()) {
+    mark_slips(text, language);
     drop_thrown_in(text, language);
     drop_relative_parts(text, language);
     wishes_first(text);
