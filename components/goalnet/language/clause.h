@@ -29,6 +29,7 @@ struct Clause {
   bool negative = false;   // of a statement: "is not on"
   bool asked = false;      // of a statement: "..., do something about it"
   bool belongs = false;    // "the remote goes on the shelf"
+  bool supposed = false;   // "should be", "must be", "ought to be": may only tell where it is thought to be
   bool weak = false;       // "I want to read": asks for something only where nothing else does
   bool reason = false;     // weak, and mostly why something else is asked: "I want to sit down, ..."
   // "if the tap is on, ...": the statement that must hold; empty: no condition.

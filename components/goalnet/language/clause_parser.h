@@ -70,6 +70,7 @@ class ClauseParser {
   // "the fork, bring it to me": what "it" will mean.
   std::size_t topic(std::size_t at, std::size_t end);
   std::size_t verb_last(std::size_t at, std::size_t end);
+  bool verb_alone(std::size_t at, std::size_t end) const;
   std::size_t narrows(std::size_t at, std::size_t end);
   bool ends_here(std::size_t at, std::size_t end) const;  // only small words up to the end of the part
   bool likes_doing(std::size_t at, std::size_t end) const;

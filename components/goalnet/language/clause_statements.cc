@@ -201,10 +201,12 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     ++i;
   // "my coffee has gone cold", "the tv should be on", "that book should not be on the table"
   std::size_t k = i;
-  bool verb_seen = there;
+  bool verb_seen = there, supposed = false;
+  static constexpr std::array kSupposes = {"should"sv, "must"sv, "ought"sv};
   for (; k < end; ++k) {
     const std::string& word = words_[k];
     if (one_of(word, kDesire)) {
+      supposed = supposed || one_of(word, kSupposes);
       desired = verb_seen = true;
     } else if (word == "not" || word == "never") {
       negative = true;
@@ -239,7 +241,7 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   }
   clause.phrases = subjects;
   clause.phrases.front() = subject;
-  clause.negative = negative;
+  clause.negative = negative, clause.supposed = supposed;
   add(std::move(clause));
   if (desired && !negative && k > 0 && (k >= end || language_.joins(words_[k])) &&
       (words_[k - 1] == "go" || words_[k - 1] == "goe") && !subject.at.empty()) {  // "... has to go"

@@ -56,6 +56,16 @@ std::size_t ClauseParser::verb_last(std::size_t at, std::size_t end) {
   return command(i, end, Mood::kCommand);
 }
 
+// Whether behind a verb only those follow who want it, and where: "(bring) me", "(bring) here please".
+bool ClauseParser::verb_alone(std::size_t at, std::size_t end) const {
+  for (std::size_t k = at; k < end && words_[k] != ","; ++k)
+    if (is_pronoun(words_[k]) || one_of(words_[k], kPointers) || words_[k] == "all" || words_[k] == "both" ||
+        (!harmless(k) && words_[k] != "here" && words_[k] != "over" && words_[k] != "to" &&
+         !one_of(words_[k], kPersons)))
+      return false;
+  return true;
+}
+
 std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   NounPhrase phrase;
   std::size_t done = reader_.read(at, end, phrase);
@@ -126,8 +136,8 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   }
   if (done >= end || words_[done] != "," || !(definite || named_only || already)) return at;
   // "the plate and the bowl, bring to the counter"
-  if (NounPhrase place; opens_command(done + 1, end) && definite && done + 2 < end &&
-                        language_.wanted_by_state(words_[done + 1]) == Frame::kNone) {
+  if (NounPhrase place; opens_command(done + 1, end) && (definite || language_.hears_people()) &&
+                        done + 2 < end && language_.wanted_by_state(words_[done + 1]) == Frame::kNone) {
     const std::size_t after = reader_.read_place(done + 2, end, place);
     const Frame frame = language_.verb(words_[done + 1]);
     if (after != done + 2 && !place.person && !place.pronoun && ends_here(after, end) &&
@@ -140,6 +150,17 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
       }
       return command(done + 1, end, Mood::kCommand);
     }
+  }
+  // "beer + coke, bring here", "the bowl, wash": the verb alone
+  if (language_.hears_people() && opens_command(done + 1, end) && phrase.at.empty() &&
+      language_.wanted_by_state(words_[done + 1]) == Frame::kNone && verb_alone(done + 2, end)) {
+    phrase.role = Role::kDirect;
+    fronted_ = {std::move(phrase)};
+    for (NounPhrase& other : more) {
+      other.role = Role::kDirect;
+      fronted_.push_back(std::move(other));
+    }
+    return command(done + 1, end, Mood::kCommand);
   }
   // a command with "it", or "water in", follows
   std::size_t next = done + 1;

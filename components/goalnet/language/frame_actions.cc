@@ -91,6 +91,13 @@ std::string FrameActions::add(const Clause& clause) {
 }
 
 std::string FrameActions::dispatch(const Clause& clause) {
+  if (const NounPhrase* channel = at_home_ ? channel_of_television(clause) : nullptr; channel != nullptr) {
+    Clause change;
+    change.frame = Frame::kChange, change.verb = "change";
+    change.phrases = {*channel};
+    change.phrases.front().role = Role::kDirect;
+    return television(change);
+  }
   switch (clause.frame) {
     case Frame::kGo:
       return go(clause);
@@ -98,6 +105,7 @@ std::string FrameActions::dispatch(const Clause& clause) {
       return take(clause);
     case Frame::kPlace:
     case Frame::kBring:
+      close_tap();  // "fill one cup and put the other one in the sink": that one is not to be filled
       return put(clause);
     case Frame::kDiscard:
       return discard(clause);

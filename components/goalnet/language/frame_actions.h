@@ -25,6 +25,9 @@ class FrameActions {
 
   // Adds what the clause asks for; otherwise adds nothing and says why not, in one sentence.
   std::string add(const Clause& clause);
+  // "pass me the coke? It should be in the fridge": makes a statement of each command that only tells where a
+  // thing that was asked for before is thought to be. Before the first add().
+  void believe_places(std::vector<Clause>& clauses);
   // What is to be done when all is added: a tap that only filled something is turned off.
   void finish() { close_tap(); }
   void leave_tap_on() { closes_tap_ = false; }
@@ -128,6 +131,7 @@ class FrameActions {
   Problem open_or_close(Symbol thing, bool open, bool left, bool right);
   Problem television(const Clause& clause);
   bool about_television(const Clause& clause) const;
+  const NounPhrase* channel_of_television(const Clause& clause) const;
 
   Resolver resolver_;
   const Language& language_;

@@ -1,5 +1,6 @@
 // Channels and volume.
 #include <algorithm>
+#include <array>
 
 #include "components/goalnet/language/frame_actions.h"
 
@@ -28,6 +29,23 @@ bool FrameActions::about_television(const Clause& clause) const {
     }
   }
   return clause.has("channel") || clause.has("volume") || clause.has("sound");
+}
+
+// "I want the tv on channel 4": the channel, where the clause names the television as well.
+const NounPhrase* FrameActions::channel_of_television(const Clause& clause) const {
+  static constexpr std::array kOthers = {Frame::kStop, Frame::kChange, Frame::kMute, Frame::kRaise,
+                                         Frame::kLower};
+  if (std::find(kOthers.begin(), kOthers.end(), clause.frame) != kOthers.end()) return nullptr;
+  const NounPhrase* channel = nullptr;
+  bool television = false;
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (phrase.phrase == "channel" && phrase.number > 0) channel = &phrase;
+    const auto named = phrase.phrase.empty() ? Objects{} : resolver_.named(phrase);
+    television = television || std::find(named.begin(), named.end(), Symbol{kTv_1}) != named.end();
+    for (const NounPhrase& place : phrase.at)
+      if (place.phrase == "channel" && place.number > 0) channel = &place;
+  }
+  return television ? channel : nullptr;
 }
 
 std::string FrameActions::television(const Clause& clause) {

@@ -114,6 +114,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
       });
   FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances, at_home_);
   if (may_run) actions.leave_tap_on();
+  if (at_home_) actions.believe_places(sentence.clauses);
   std::size_t missing = 0;
   std::vector<ReadCommand> commands;
   for (const Clause& clause : sentence.clauses) {

@@ -58,7 +58,10 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     }
     const bool furniture =
         language_.hears_people() && lexicon_.is_place_name(phrase.phrase) && !last_thing_.empty();
-    (in_place_ || furniture ? last_place_ : last_thing_) = phrase.phrase;
+    // "fill one cup with water and put the other one away": what it is filled with is no "one"
+    const bool only_content = language_.hears_people() && language_.holds_things(last_thing_) &&
+                              language_.content(phrase.phrase) != symbol::kNone;
+    if (!only_content) (in_place_ || furniture ? last_place_ : last_thing_) = phrase.phrase;
     return after(i, end, phrase);
   }
   if (word == "one" && i > 0 && (words_.text[i - 1] == "that" || words_.text[i - 1] == "this") &&

@@ -35,6 +35,9 @@ void drop_relative_parts(std::vector<std::string>& words, const Language& langua
 void last_requests(std::vector<std::string>& words, const Language& language);
 // "a glass of water would do" -> "wish a glass of water".
 void wishes_first(std::vector<std::string>& words);
+// "ensure the salt stood on the counter again" (what "it would be nice if ..." became) -> "ensure the salt is
+// on the counter"; "I wish the tv was on" -> "ensure the tv is on".
+void wished_past(std::vector<std::string>& words);
 // ", ," and ", ." where something between fell away.
 void join_pauses(std::vector<std::string>& words);
 

@@ -77,7 +77,10 @@ void ask_politely(std::vector<std::string>& text, bool hears_people) {
     const bool opens = (text[i] == "it" || text[i] == "i" || text[i] == "that") &&
                        (text[i + 1] == "would" || text[i + 1] == "will" ||
                         (hears_people && text[i + 1] == "should" && text[i + 2] == "be"));
-    if (!opens) continue;
+    // "would be nice if the fridge was open"
+    const bool begins = i == 0 || text[i - 1] == "." || text[i - 1] == ",";
+    const bool short_for = hears_people && begins && text[i] == "would" && text[i + 1] == "be";
+    if (!opens && !short_for) continue;
     for (std::size_t k = i + 2; k + 1 < text.size() && k < i + kFarthest && text[k] != "," && text[k] != ".";
          ++k) {
       if (text[k] != "if") continue;

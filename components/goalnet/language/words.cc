@@ -158,6 +158,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   if (text.empty() || text.back() != ".") text.emplace_back(".");
   text.insert(text.begin(), ".");
   text = language.rewrite(std::move(text), kMaxAfterRewriting);
+  if (language.hears_people()) wished_past(text);
   if (language.hears_people()) join_pauses(text);
   join_wishes(text);
   for (std::string& word : text) {

@@ -1,0 +1,64 @@
+// Wishes in the past tense: "it would be nice if the salt stood on the counter again", "I wish the tv was
+// on".
+#include <array>
+
+#include "components/goalnet/language/spoken_forms.h"
+#include "components/goalnet/language/word_groups.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+namespace {
+
+constexpr std::array kStood = {"stood"sv, "sat"sv, "lay"sv, "rested"sv, "lived"sv, "stayed"sv, "remained"sv};
+constexpr std::array kWas = {"was"sv, "were"sv, "had"sv};
+constexpr std::array kAgain = {"again"sv, "already"sv, "finally"sv, "once"sv};
+
+bool ends_part(const std::vector<std::string>& words, std::size_t i) {
+  return i >= words.size() || words[i] == "." || words[i] == ",";
+}
+
+// Where "before my sister starts talking" began that the word at `at` follows without a comma.
+bool behind_subordinate(const std::vector<std::string>& words, std::size_t at) {
+  static constexpr std::array kBegins = {"before"sv, "until"sv, "while"sv, "when"sv, "because"sv, "since"sv};
+  std::size_t begin = at;
+  while (begin > 0 && !ends_part(words, begin - 1)) --begin;
+  return begin < at && one_of(words[begin], kBegins);
+}
+
+}  // namespace
+
+void wished_past(std::vector<std::string>& words) {
+  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+    const bool wishes =
+        (words[i] == "i" || words[i] == "we") && (words[i + 1] == "wish" || words[i + 1] == "wished");
+    if (words[i] != "ensure" && !wishes) continue;
+    std::size_t thing = i + 1 + (wishes ? 1 : 0);
+    if (thing < words.size() && words[thing] == "that") ++thing;
+    std::size_t verb = thing + 1;  // "I wish you had ..." is about what somebody did
+    while (!ends_part(words, verb) && !one_of(words[verb], kStood) && !one_of(words[verb], kWas)) ++verb;
+    if (ends_part(words, verb) || one_of(words[thing], kSubjects) || one_of(words[thing], kPersons)) continue;
+    // "once more", but not "once you are done"
+    for (std::size_t k = thing; !ends_part(words, k);)
+      if (one_of(words[k], kAgain) &&
+          (words[k] != "once" || (!ends_part(words, k + 1) && words[k + 1] == "again")))
+        words.erase(words.begin() + static_cast<long>(k));
+      else
+        ++k;
+    for (verb = thing + 1; !ends_part(words, verb); ++verb)
+      if (one_of(words[verb], kStood))
+        words[verb] = "is";
+      else if (words[verb] == "had")
+        words[verb] = "has";
+      else if (words[verb] == "was" || words[verb] == "were")
+        words[verb] = "is";
+    if (wishes) {
+      words[i] = "ensure";
+      words.erase(words.begin() + static_cast<long>(i) + 1, words.begin() + static_cast<long>(thing));
+    }
+    if (behind_subordinate(words, i)) words.insert(words.begin() + static_cast<long>(i), ",");
+  }
+}
+
+}  // namespace goalnet::inference
