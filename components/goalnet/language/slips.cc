@@ -27,7 +27,9 @@ std::size_t interjection(const Sentence& words, std::size_t at, bool& sure) {
                                        "ehm"sv,   "uhm"sv,  "uhh"sv,    "actually"sv, "nope"sv};
   static constexpr std::array kBeforeAPause = {"no"sv, "wait"sv, "nah"sv, "damn"sv};
   static constexpr std::array kUnsure = {"oh"sv, "ah"sv, "well"sv, "ok"sv, "okay"sv};
-  static constexpr std::array<std::array<std::string_view, 2>, 7> kPairs = {{{"my", "bad"},
+  static constexpr std::array<std::array<std::string_view, 2>, 9> kPairs = {{{"my", "bad"},
+                                                                             {"i", "mean"},
+                                                                             {"i", "meant"},
                                                                              {"my", "mistake"},
                                                                              {"my", "apologies"},
                                                                              {"excuse", "me"},
@@ -81,12 +83,14 @@ class SlipMarker {
  private:
   // Reads a slip behind the pause at `at`, writes what is meant; `at` where it is none.
   std::size_t slip(std::size_t at, Sentence& marked) const {
-    if (at == 0 || !ends_part(words_, at) || !named_before(at)) return at;
+    if (at == 0 || !named_before(at)) return at;
+    if (!ends_part(words_, at) && !(thing_begin(at) != at && hesitates(words_[at]))) return at;
     if (words_[at - 1] == "and" || words_[at - 1] == "or") return at;  // "the controller and, um, the chips"
     bool sure = false;
     std::size_t i = at;
     for (;;) {
       while (i < words_.size() && (words_[i] == "," || (words_[i] == "." && (i == at || sure)))) ++i;
+      if (i + 1 < words_.size() && words_[i] == "or" && words_[i + 1] == "actually") ++i;
       const std::size_t next = interjection(words_, i, sure);
       if (next == i) break;
       i = next;
@@ -101,13 +105,21 @@ class SlipMarker {
         return done;
       }
     }
-    if (i < words_.size() && words_[i] == "not") {
+    if (i < words_.size() && words_[i] == "and" && hesitates(words_[at + 1])) {
+      marked.emplace_back(",");  // "the fork, the spoon, er, and the salt": the list only goes on
+      return i;
+    }
+    while (i < words_.size() && words_[i] == "not") {
       const std::size_t denied = thing(i + 1);
       if (denied == i + 1 || denied >= words_.size() || words_[denied] != ",") return at;
       meant.insert(meant.end(), words_.begin() + static_cast<long>(i),
                    words_.begin() + static_cast<long>(denied) + 1);
       i = denied + 1;
       if (i < words_.size() && words_[i] == "but") ++i;
+    }
+    if (meant.size() == 2) {  // nothing was denied
+      if (const std::size_t done = in_its_place(at, i, marked); done != i) return done;
+      if (const std::size_t done = list_again(at, i, marked); done != i) return done;
     }
     const std::size_t done = thing(i);
     if (done == i || !tail(done)) return at;
@@ -116,6 +128,97 @@ class SlipMarker {
     marked.insert(marked.end(), meant.begin(), meant.end());
     if (!ends_part(words_, done)) marked.emplace_back(",");
     return done;
+  }
+
+  // Where the thing or number begins that ends before `at`, with its article; `at` where there is none.
+  std::size_t thing_begin(std::size_t at) const {
+    std::size_t begin = at;
+    bool named = false;
+    while (begin > 0 && !ends_part(words_, begin - 1)) {
+      const bool pair = begin > 1 && !ends_part(words_, begin - 2) && name(begin - 2) == 2;
+      const bool one = name(begin - 1) > 0 || number_word(words_[begin - 1]) > 0;
+      if (!pair && !one && !small(begin - 1)) break;
+      named = named || pair || one;
+      begin -= pair ? 2 : 1;
+      if (one_of(words_[begin], kArticles)) break;
+    }
+    return named ? begin : at;
+  }
+
+  // "put the mug, sorry, the glass in the sink", "the salt and the fork, sorry, spoon": where the sentence
+  // goes on behind it, or a list was before it, only the thing before the pause is replaced. `i` where it is
+  // not so.
+  std::size_t in_its_place(std::size_t at, std::size_t i, Sentence& marked) const {
+    const std::size_t begin = thing_begin(at);
+    if (begin == at || begin == 0 || place_preposition(words_[begin - 1])) return i;
+    if (i < words_.size() && place_preposition(words_[i])) return i;
+    const std::size_t done = thing(i, true);
+    if (done == i) return i;
+    const bool goes_on =
+        goes_on_at(done) || (done + 1 < words_.size() && words_[done] == "," && goes_on_at(done + 1));
+    const bool number = done == i + 1 && number_word(words_[i]) > 0;
+    const bool listed = words_[begin - 1] == "and" && tail(done) && !number && !said_before(begin, done - 1);
+    const std::size_t replaced = number ? 1 : at - begin;
+    if ((!goes_on && !listed) || (number && number_word(words_[at - 1]) == 0) || marked.size() < replaced ||
+        !std::equal(marked.end() - static_cast<long>(replaced), marked.end(),
+                    words_.begin() + static_cast<long>(at - replaced)))
+      return i;
+    marked.resize(marked.size() - replaced);
+    marked.insert(marked.end(), words_.begin() + static_cast<long>(i),
+                  words_.begin() + static_cast<long>(done));
+    return goes_on && words_[done] == "," ? done + 1 : done;
+  }
+
+  // "the fork and the plate, sorry, the fork and the bowl": a list that keeps something of the one before
+  // stands for it. `i` where it is not so.
+  std::size_t list_again(std::size_t at, std::size_t i, Sentence& marked) const {
+    std::size_t done = thing(i), begin = thing_begin(at);
+    if (done == i || begin == at || done >= words_.size() || words_[done] != "and") return i;
+    bool kept = said_in(begin, at, words_[done - 1]);
+    while (begin > 1 && words_[begin - 1] == "and" && thing_begin(begin - 1) != begin - 1) {
+      const std::size_t earlier = thing_begin(begin - 1);
+      kept = kept || said_in(earlier, begin, words_[done - 1]);
+      begin = earlier;
+    }
+    while (done < words_.size() && words_[done] == "and" && thing(done + 1) != done + 1)
+      done = thing(done + 1);
+    const std::size_t replaced = at - begin;
+    if (!kept || !tail(done) || place_preposition(words_[begin - 1]) || marked.size() < replaced ||
+        !std::equal(marked.end() - static_cast<long>(replaced), marked.end(),
+                    words_.begin() + static_cast<long>(begin)))
+      return i;
+    marked.resize(marked.size() - replaced);
+    marked.insert(marked.end(), words_.begin() + static_cast<long>(i),
+                  words_.begin() + static_cast<long>(done));
+    return done;
+  }
+
+  bool said_in(std::size_t begin, std::size_t end, const std::string& word) const {
+    return std::find(words_.begin() + static_cast<long>(begin), words_.begin() + static_cast<long>(end),
+                     word) != words_.begin() + static_cast<long>(end);
+  }
+
+  bool goes_on_at(std::size_t i) const {
+    return !ends_part(words_, i) &&
+           (place_preposition(words_[i]) || one_of(words_[i], kParticles) || words_[i] == "with");
+  }
+
+  // Whether the word at `i` was said in the sentence that ends before `end`.
+  bool said_before(std::size_t end, std::size_t i) const {
+    for (std::size_t k = end; k-- > 0 && words_[k] != ".";)
+      if (words_[k] == words_[i] && number_word(words_[k]) == 0) return true;
+    return false;
+  }
+
+  static bool hesitates(const std::string& word) {
+    static constexpr std::array kSounds = {"sorry"sv, "oops"sv, "whoops"sv, "hmm"sv, "hm"sv,
+                                           "er"sv,    "erm"sv,  "uh"sv,     "um"sv};
+    return one_of(word, kSounds);
+  }
+
+  bool small(std::size_t i) const {
+    return one_of(words_[i], kArticles) || one_of(words_[i], kPointers) || ordinal_word(words_[i]) > 0 ||
+           one_of(words_[i], kStates) || one_of(words_[i], kVague) || one_of(words_[i], kAll);
   }
 
   // How many words at `i` make a name; 0 for none.
@@ -142,8 +245,9 @@ class SlipMarker {
     return false;
   }
 
-  // A thing or a place and nothing else: "the fork", "burner four", "in the sink", "two".
-  std::size_t thing(std::size_t at) const {
+  // A thing or a place and nothing else: "the fork", "burner four", "in the sink", "two", "the second".
+  // `open`: the part may go on behind it.
+  std::size_t thing(std::size_t at, bool open = false) const {
     std::size_t i = at;
     if (i < words_.size() && place_preposition(words_[i])) ++i;
     if (i + 1 < words_.size() && language_.verb(words_[i]) != Frame::kNone && !ends_part(words_, i + 1) &&
@@ -153,11 +257,9 @@ class SlipMarker {
     while (!ends_part(words_, i) && words_[i] != "and" && !is_tail(i)) {
       std::size_t length = name(i);
       if (length == 0 && number_word(words_[i]) > 0) length = 1;
-      named = named || length > 0;
-      const bool small = one_of(words_[i], kArticles) || one_of(words_[i], kPointers) ||
-                         ordinal_word(words_[i]) > 0 || one_of(words_[i], kStates) ||
-                         one_of(words_[i], kVague) || words_[i] == "of";
-      if (i - at >= kLongestThing || (length == 0 && !small)) return at;
+      if (open && named && length == 0 && goes_on_at(i)) return i;
+      if (i - at >= kLongestThing || (length == 0 && !small(i) && words_[i] != "of")) return at;
+      named = named || length > 0 || (i > at && ordinal_word(words_[i]) > 0);
       i += std::max<std::size_t>(length, 1);
     }
     return named ? i : at;
