@@ -37,14 +37,17 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   bool negative = false, desired = ensured_;
   const bool there = words_[i] == "there" || words_[i] == "here";
   const std::size_t count = result_.clauses.size();
-  if (there && i + 2 < end && words_[i + 1] == "should" && words_[i + 2] == "be" && !ensured_) {
+  if (there && i + 2 < end && words_[i + 2] == "be" && !ensured_ &&
+      (words_[i + 1] == "should" || (words_[i + 1] == "must" && language_.hears_people()))) {
     // "there should be a beer on the shelf": mostly tells where it is
     ensured_ = true;
     const std::size_t done = statement(i + 3 < end ? i + 3 : i, end);
     ensured_ = false;
-    for (std::size_t k = count; k < result_.clauses.size(); ++k)
+    for (std::size_t k = count; k < result_.clauses.size(); ++k) {
+      result_.clauses[k].supposed = true;
       if (result_.clauses[k].mood == Mood::kCommand)
         result_.clauses[k].mood = Mood::kStatement, result_.clauses[k].wish = true;
+    }
     return done;
   }
   if (there && i + 2 < end &&

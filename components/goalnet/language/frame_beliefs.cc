@@ -18,12 +18,16 @@ bool says_where_from(const Clause& clause) {
 void FrameActions::believe_places(std::vector<Clause>& clauses) {
   for (std::size_t i = 1; i < clauses.size(); ++i) {
     Clause& told = clauses[i];
-    if (told.mood != Mood::kCommand || told.frame != Frame::kPlace || !told.belongs || !told.supposed ||
-        told.phrases.size() != 2 || !told.condition.empty())
-      continue;
     const NounPhrase* what = told.first(Role::kDirect);
     const NounPhrase* place = told.first(Role::kDestination);
-    if (what == nullptr || place == nullptr || place->pronoun || place->bare()) continue;
+    // "there should be one on the shelf"
+    const bool there_is = told.mood == Mood::kStatement && !told.negative;
+    if (there_is && told.frame == Frame::kNone && what != nullptr && what->at.size() == 1)
+      place = &what->at.front();
+    const bool puts = told.frame == Frame::kPlace && told.belongs && told.phrases.size() == 2;
+    if (!told.supposed || !told.condition.empty() || what == nullptr || place == nullptr || place->pronoun ||
+        place->bare() || !(there_is || (puts && told.mood == Mood::kCommand)))
+      continue;
     std::size_t before = i;
     while (before > 0 && clauses[before - 1].mood != Mood::kCommand) --before;
     if (before == 0) continue;
@@ -32,7 +36,7 @@ void FrameActions::believe_places(std::vector<Clause>& clauses) {
     for (NounPhrase& phrase : asked.phrases)
       if (phrase.role == Role::kDirect && thing == nullptr) thing = &phrase;
     if (thing == nullptr || thing->everything || !asked.condition.empty()) continue;
-    const bool same = what->pronoun || (what->phrase == thing->phrase && what->definite);
+    const bool same = what->pronoun || (what->phrase == thing->phrase && (what->definite || there_is));
     if (!same || says_where_from(asked)) continue;  // "take it off the shelf, it should be on the table"
     NounPhrase there = thing->pronoun ? *what : *thing;
     there.at = {*place};
@@ -43,9 +47,10 @@ void FrameActions::believe_places(std::vector<Clause>& clauses) {
     // What somebody wants to have is not put elsewhere, even where it is not thought to be.
     const bool given = asked.to_person && (asked.frame == Frame::kTake || asked.frame == Frame::kBring);
     if (!is_there && !given) continue;
-    if (is_there) thing->at.push_back(*place);  // of several that one
+    const bool several = thing->plural || thing->all || thing->count > 1;
+    if (is_there && !several) thing->at.push_back(*place);  // of several books that one
     told.mood = Mood::kStatement, told.frame = Frame::kNone;
-    told.belongs = false, told.verb.clear();
+    told.belongs = told.wish = false, told.verb.clear();
     told.phrases = {std::move(there)};
     told.phrases.front().role = Role::kDirect;
   }

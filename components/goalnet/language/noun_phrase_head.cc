@@ -62,6 +62,11 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     const bool only_content = language_.hears_people() && language_.holds_things(last_thing_) &&
                               language_.content(phrase.phrase) != symbol::kNone;
     if (!only_content) (in_place_ || furniture ? last_place_ : last_thing_) = phrase.phrase;
+    // "pour the coffee into one cup and put the other one away"
+    const Symbol before = language_.content(last_thing_);
+    const bool only_content_before = before == symbol::kWater || before == symbol::kCoffee;
+    if (language_.hears_people() && in_place_ && only_content_before && language_.holds_things(phrase.phrase))
+      last_thing_ = phrase.phrase;
     return after(i, end, phrase);
   }
   if (word == "one" && i > 0 && (words_.text[i - 1] == "that" || words_.text[i - 1] == "this") &&
