@@ -139,7 +139,8 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
   if (NounPhrase* named = nullptr; language_.hears_people() && next < end && number_word(words_[next]) > 0 &&
                                    (next + 1 >= end || words_[next + 1] == ",")) {  // "one book, no, two"
     for (NounPhrase& old : last->phrases)
-      if (old.role == Role::kDirect && !old.pronoun && (old.count > 0 || old.number > 0) && named == nullptr)
+      if (old.role == Role::kDirect && !old.pronoun && (old.count > 0 || old.number > 0 || old.all) &&
+          named == nullptr)
         named = &old;
     if (named == nullptr && last->first(Role::kDestination) == nullptr)  // "a book, no, two"
       for (NounPhrase& old : last->phrases)

@@ -109,15 +109,18 @@ class SlipMarker {
       marked.emplace_back(",");  // "the fork, the spoon, er, and the salt": the list only goes on
       return i;
     }
+    bool that_one = true;
     while (i < words_.size() && words_[i] == "not") {
       const std::size_t denied = thing(i + 1);
       if (denied == i + 1 || denied >= words_.size() || words_[denied] != ",") return at;
       meant.insert(meant.end(), words_.begin() + static_cast<long>(i),
                    words_.begin() + static_cast<long>(denied) + 1);
+      that_one = words_[denied - 1] == words_[at - 1];
       i = denied + 1;
       if (i < words_.size() && words_[i] == "but") ++i;
     }
-    if (meant.size() == 2) {  // nothing was denied
+    if (i + 1 < words_.size() && (words_[i] == "just" || words_[i] == "only")) ++i;  // "just burner one"
+    if (that_one) {                                                                  // or nothing was denied
       if (const std::size_t done = in_its_place(at, i, marked); done != i) return done;
       if (const std::size_t done = list_again(at, i, marked); done != i) return done;
     }
