@@ -35,7 +35,8 @@ bool FrameActions::about_television(const Clause& clause) const {
 const NounPhrase* FrameActions::channel_of_television(const Clause& clause) const {
   static constexpr std::array kOthers = {Frame::kStop, Frame::kChange, Frame::kMute, Frame::kRaise,
                                          Frame::kLower};
-  if (std::find(kOthers.begin(), kOthers.end(), clause.frame) != kOthers.end()) return nullptr;
+  if (std::find(kOthers.begin(), kOthers.end(), clause.frame) != kOthers.end() || clause.has_particle("off"))
+    return nullptr;
   const NounPhrase* channel = nullptr;
   bool television = false;
   for (const NounPhrase& phrase : clause.phrases) {
