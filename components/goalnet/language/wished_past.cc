@@ -13,7 +13,15 @@ namespace {
 
 constexpr std::array kStood = {"stood"sv, "sat"sv, "lay"sv, "rested"sv, "lived"sv, "stayed"sv, "remained"sv};
 constexpr std::array kWas = {"was"sv, "were"sv, "had"sv};
+// Whatever comes, goes or gets somewhere shall be there in the end.
+constexpr std::array kCame = {"come"sv, "comes"sv, "came"sv, "go"sv,  "goes"sv,
+                              "went"sv, "get"sv,   "gets"sv, "got"sv, "lands"sv};
+constexpr std::array kInto = {"in"sv, "into"sv, "on"sv, "onto"sv, "inside"sv};
 constexpr std::array kAgain = {"again"sv, "already"sv, "finally"sv, "once"sv};
+
+bool comes_there(const std::vector<std::string>& words, std::size_t i) {
+  return one_of(words[i], kCame) && i + 1 < words.size() && one_of(words[i + 1], kInto);
+}
 
 bool ends_part(const std::vector<std::string>& words, std::size_t i) {
   return i >= words.size() || words[i] == "." || words[i] == ",";
@@ -37,7 +45,9 @@ void wished_past(std::vector<std::string>& words) {
     std::size_t thing = i + 1 + (wishes ? 1 : 0);
     if (thing < words.size() && words[thing] == "that") ++thing;
     std::size_t verb = thing + 1;  // "I wish you had ..." is about what somebody did
-    while (!ends_part(words, verb) && !one_of(words[verb], kStood) && !one_of(words[verb], kWas)) ++verb;
+    while (!ends_part(words, verb) && !one_of(words[verb], kStood) && !one_of(words[verb], kWas) &&
+           !comes_there(words, verb))
+      ++verb;
     if (ends_part(words, verb) || one_of(words[thing], kSubjects) || one_of(words[thing], kPersons)) continue;
     // "once more", but not "once you are done"
     for (std::size_t k = thing; !ends_part(words, k);)
@@ -47,7 +57,7 @@ void wished_past(std::vector<std::string>& words) {
       else
         ++k;
     for (verb = thing + 1; !ends_part(words, verb); ++verb)
-      if (one_of(words[verb], kStood))
+      if (one_of(words[verb], kStood) || comes_there(words, verb))
         words[verb] = "is";
       else if (words[verb] == "had")
         words[verb] = "has";
