@@ -95,6 +95,31 @@ class Filler {
     return span;
   }
 
+  // "tap running", "the tv is off": where the device ends of which only this is told; `span.content` where
+  // it is something else.
+  std::size_t told_device(const NounPhraseReader& reader, const Span& span) const {
+    static constexpr std::array kSwitched = {"on"sv, "off"sv, "running"sv, "lit"sv, "going"sv};
+    if (span.end < span.content + 2 || !one_of(words_.text[span.end - 1], kSwitched)) return span.content;
+    if (language_.verb(words_.text[span.content]) != Frame::kNone && reader.name_length(span.content) == 0)
+      return span.content;
+    std::size_t end = span.end - 1;
+    while (end > span.content && (language_.copula(words_.text[end - 1]) || words_.text[end - 1] == "still"))
+      --end;
+    NounPhrase device;
+    const bool named = reader.read(span.content, end, device) == end && !device.phrase.empty() &&
+                       !device.person && !device.pronoun && !device.unknown;
+    return named ? end : span.content;
+  }
+
+  // "off", "on please": on or off and nothing else.
+  bool only_switches(const Span& span) const {
+    if (span.content >= span.end || (words_.text[span.content] != "on" && words_.text[span.content] != "off"))
+      return false;
+    for (std::size_t k = span.content + 1; k < span.end; ++k)
+      if (!harmless(k)) return false;
+    return true;
+  }
+
   void erase(std::size_t at) {
     words_.text.erase(words_.text.begin() + static_cast<long>(at));
     words_.plural.erase(words_.plural.begin() + static_cast<long>(at));
@@ -149,6 +174,21 @@ class Filler {
         erase(one.end);
         return true;
       }
+      // "egg and fork. bring both.": those that were listed
+      if (one.part == Part::kThings && sentence_start && two.content + 1 < two.end &&
+          language_.verb(words_.text[two.content]) != Frame::kNone &&
+          (words_.text[two.content + 1] == "both" || words_.text[two.content + 1] == "all") &&
+          std::count(words_.text.begin() + static_cast<long>(one.content),
+                     words_.text.begin() + static_cast<long>(one.end), "and") > 0 &&
+          (two.content + 2 == two.end || harmless(two.content + 2) ||
+           place_preposition(words_.text[two.content + 2]))) {
+        const std::vector<std::string> things(words_.text.begin() + static_cast<long>(one.content),
+                                              words_.text.begin() + static_cast<long>(one.end));
+        erase(two.content + 1);
+        insert(two.content + 1, things);
+        for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
+        return true;
+      }
       // "the fork. give.", "desk, go"
       if ((one.part == Part::kThings || one.part == Part::kPlace) && !one.with_preposition &&
           two.part == Part::kVerb && (words_.text[one.end] == "." || two.end == two.content + 1)) {
@@ -157,6 +197,16 @@ class Filler {
         erase(one.end);
         insert(one.content, {verb});
         return true;
+      }
+      // "tap running. off."
+      if (sentence_start && only_switches(two) && words_.text[one.end] == "." && pair_ends) {
+        if (const std::size_t device_end = told_device(reader, one); device_end != one.content) {
+          const std::string way = words_.text[two.content];
+          erase(two.content);
+          for (std::size_t k = device_end; k <= one.end; ++k) erase(device_end);
+          insert(one.content, {"turn", way});
+          return true;
+        }
       }
       // "The plate does not belong on the shelf. Counter, please.", "The ice cream is melting! Back in the
       // freezer!"

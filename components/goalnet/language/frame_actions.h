@@ -21,7 +21,9 @@ class FrameActions {
         start_(start),
         now_(start),
         at_home_(at_home),
-        closes_tap_(at_home) {}
+        closes_tap_(at_home) {
+    resolver_.begins_with(start_);
+  }
 
   // Adds what the clause asks for; otherwise adds nothing and says why not, in one sentence.
   std::string add(const Clause& clause);

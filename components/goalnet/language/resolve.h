@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ class Resolver {
   std::string name(Symbol object) const { return symbols_.name(object); }
   double distance(Symbol object) const;
 
+  // How it is before anything is done. "Put it on the armchair that has none" is
+  // not the one that it was just taken from.
+  void begins_with(const SymState& start) { start_ = start; }
   // Objects spoken of so far: "the other one" is none of them.
   void remember(const std::vector<Symbol>& objects);
   Doubts& doubts() { return doubts_; }
@@ -96,6 +100,7 @@ class Resolver {
   const Language& language_;
   const Symbols& symbols_;
   const Distances* distances_;
+  std::optional<SymState> start_;
   std::vector<Symbol> spoken_;
   Doubts doubts_;
 };

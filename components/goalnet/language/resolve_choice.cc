@@ -32,6 +32,7 @@ int Resolver::faults(const NounPhrase& phrase, const SeenObject& seen, const Sym
   wants("empty", c.place ? !taken(object, now) : is_empty(object, now));
   wants("full", !is_empty(object, now));
   wants("free", !taken(object, now));
+  if (language_.hears_people() && phrase.has("free") && start_ && taken(object, *start_)) count += kSlight;
   wants("hot", now.is(object, ktemperatureHigh));
   wants("warm", now.is(object, ktemperatureHigh));
   wants("boiling", now.is(object, ktemperatureHigh));

@@ -1,6 +1,7 @@
 // Wishes in the past tense: "it would be nice if the salt stood on the counter again", "I wish the tv was
 // on".
 #include <array>
+#include <string>
 
 #include "components/goalnet/language/spoken_forms.h"
 #include "components/goalnet/language/word_groups.h"
@@ -35,6 +36,25 @@ bool behind_subordinate(const std::vector<std::string>& words, std::size_t at) {
   return begin < at && one_of(words[begin], kBegins);
 }
 
+// "... on the loveseat with the chips": the chips on it tell which, nobody wishes them there.
+void place_told_by(std::vector<std::string>& words, std::size_t from) {
+  static constexpr std::array kOthers = {"other"sv, "others"sv, "rest"sv};
+  constexpr std::size_t kLongestName = 2;
+  std::size_t end = from;
+  while (!ends_part(words, end)) ++end;
+  for (std::size_t k = from; k + 3 < end; ++k) {
+    if (words[k] != "on" || words[k + 1] != "the") continue;
+    std::size_t with = k + 3;
+    if (with + 2 < end && words[with] != "with") ++with;  // "the coffee table"
+    const bool told = with + 2 < end && words[with] == "with" && words[with + 1] == "the" &&
+                      end - with - 2 <= kLongestName && !one_of(words[with + 2], kOthers);
+    if (!told) continue;
+    const std::array<std::string, 2> on_it = {"on", "it"};
+    words.insert(words.begin() + static_cast<long>(end), on_it.begin(), on_it.end());
+    return;
+  }
+}
+
 }  // namespace
 
 void wished_past(std::vector<std::string>& words) {
@@ -48,7 +68,10 @@ void wished_past(std::vector<std::string>& words) {
     while (!ends_part(words, verb) && !one_of(words[verb], kStood) && !one_of(words[verb], kWas) &&
            !comes_there(words, verb))
       ++verb;
-    if (ends_part(words, verb) || one_of(words[thing], kSubjects) || one_of(words[thing], kPersons)) continue;
+    const bool there = words[thing] == "there";
+    if (ends_part(words, verb) || (one_of(words[thing], kSubjects) && !there) ||
+        one_of(words[thing], kPersons))
+      continue;
     // "once more", but not "once you are done"
     for (std::size_t k = thing; !ends_part(words, k);)
       if (one_of(words[k], kAgain) &&
@@ -63,6 +86,7 @@ void wished_past(std::vector<std::string>& words) {
         words[verb] = "has";
       else if (words[verb] == "was" || words[verb] == "were")
         words[verb] = "is";
+    if (there) place_told_by(words, thing);
     if (wishes) {
       words[i] = "ensure";
       words.erase(words.begin() + static_cast<long>(i) + 1, words.begin() + static_cast<long>(thing));
