@@ -135,25 +135,7 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
     if (pronoun) return end;
   }
   if (done >= end || words_[done] != "," || !(definite || named_only || already)) return at;
-  // "the plate and the bowl, bring to the counter"
-  if (NounPhrase place; opens_command(done + 1, end) && (definite || language_.hears_people()) &&
-                        done + 2 < end && language_.wanted_by_state(words_[done + 1]) == Frame::kNone) {
-    const std::size_t after = reader_.read_place(done + 2, end, place);
-    const Frame frame = language_.verb(words_[done + 1]);
-    if (after != done + 2 && !place.person && !place.pronoun && ends_here(after, end) &&
-        (frame == Frame::kPlace || frame == Frame::kBring || frame == Frame::kTake)) {
-      phrase.role = Role::kDirect;
-      fronted_ = {std::move(phrase)};
-      for (NounPhrase& other : more) {
-        other.role = Role::kDirect;
-        fronted_.push_back(std::move(other));
-      }
-      return command(done + 1, end, Mood::kCommand);
-    }
-  }
-  // "beer + coke, bring here", "the bowl, wash": the verb alone
-  if (language_.hears_people() && opens_command(done + 1, end) && phrase.at.empty() &&
-      language_.wanted_by_state(words_[done + 1]) == Frame::kNone && verb_alone(done + 2, end)) {
+  const auto command_about_them = [&] {
     phrase.role = Role::kDirect;
     fronted_ = {std::move(phrase)};
     for (NounPhrase& other : more) {
@@ -161,6 +143,21 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
       fronted_.push_back(std::move(other));
     }
     return command(done + 1, end, Mood::kCommand);
+  };
+  // "the plate and the bowl, bring to the counter"
+  if (NounPhrase place; opens_command(done + 1, end) && (definite || language_.hears_people()) &&
+                        done + 2 < end && language_.wanted_by_state(words_[done + 1]) == Frame::kNone) {
+    const std::size_t after = reader_.read_place(done + 2, end, place);
+    const Frame frame = language_.verb(words_[done + 1]);
+    if (after != done + 2 && !place.person && !place.pronoun && ends_here(after, end) &&
+        (frame == Frame::kPlace || frame == Frame::kBring || frame == Frame::kTake)) {
+      return command_about_them();
+    }
+  }
+  // "beer + coke, bring here", "the bowl, wash": the verb alone
+  if (language_.hears_people() && opens_command(done + 1, end) && phrase.at.empty() &&
+      language_.wanted_by_state(words_[done + 1]) == Frame::kNone && verb_alone(done + 2, end)) {
+    return command_about_them();
   }
   // a command with "it", or "water in", follows
   std::size_t next = done + 1;
