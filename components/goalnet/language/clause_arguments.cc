@@ -30,6 +30,7 @@ bool takes_state(Frame frame) {
 
 std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& clause, Role& role, Where& where) {
   const std::string& word = words_[i];
+  if (const std::size_t done = caused(i, end, clause); done != i) return done;
   const auto state_here = [&] {
     return takes_state(clause.frame) && !clause.phrases.empty() &&
            language_.wanted_by_state(word) != Frame::kNone &&

@@ -72,6 +72,20 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
           place_preposition(words_[i + 2]) ? 1 : 2;  // "I want the mug to be washed", "... to be in the sink"
       continue;
     }
+    // "I want every armchair to have a pillow"
+    if (language_.hears_people() && clause.wish && word == "to" && i + 2 < end && words_[i + 1] == "have")
+      if (const std::size_t done = has_thing(i + 2, end, clause); done != i + 2) {
+        i = done;
+        continue;
+      }
+    // "put no salt in it"
+    if (language_.hears_people() && word == "no" && i > at && i + 1 < end && mood == Mood::kCommand &&
+        words_[i - 1] != "," && !language_.joins(words_[i - 1]) && reader_.name_length(i + 1) > 0 &&
+        clause.first(Role::kDirect) == nullptr) {
+      clause.mood = Mood::kForbidden;
+      ++i;
+      continue;
+    }
     // "I want that pillow comes on the couch", "I want the mug to be in the sink"
     static constexpr std::array kIsToBe = {"come"sv, "comes"sv, "go"sv, "goes"sv, "goe"sv, "be"sv};
     if (language_.hears_people() && clause.wish && one_of(word, kIsToBe) && i + 1 < end &&
@@ -80,17 +94,11 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       ++i;
       continue;
     }
-    if (word == "where" &&
-        (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)) {  // "where the mug is"
-      NounPhrase beside;
-      const std::size_t done = reader_.read(i + 1, end, beside);
-      if (done != i + 1 && done < end && language_.copula(words_[done])) {
-        beside.role = Role::kDestination, beside.where = Where::kNear;
-        clause.phrases.push_back(std::move(beside));
-        i = done + 1;
+    if (clause.frame == Frame::kPlace || clause.frame == Frame::kBring)
+      if (const std::size_t done = where_that_is(i, end, clause); done != i) {
+        i = done;
         continue;
       }
-    }
     if (word == "at_later") {  // "turn the tv off at eight"
       for_later();
       ++i;

@@ -78,7 +78,10 @@ std::size_t ClauseParser::subject_but(std::size_t at, std::size_t end, NounPhras
   const std::size_t but = reader_.read_place(at, end, place);
   if (but + 1 >= end || (words_[but] != "except" && words_[but] != "but")) return at;
   const std::size_t from = words_[but + 1] == "for" ? but + 2 : but + 1;
-  const std::size_t done = reader_.read(from, end, other);
+  const std::size_t named = reader_.read(from, end, other);
+  NounPhrase there;
+  const std::size_t done = named == from ? from : reader_.read_place(named, end, there);
+  if (done != named) other.at.push_back(std::move(there));
   if (done == from || done >= end || other.person || other.unknown ||
       !(language_.copula(words_[done]) || one_of(words_[done], kDesire) || words_[done] == "can"))
     return at;

@@ -15,6 +15,7 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   clause.frame = Frame::kNone;
   NounPhrase subject;
   std::size_t i = things_of_fragment(at, end, clause, subject);
+  if (const std::size_t done = all_of_them(at, end, subject, i); done != at) return done;
   NounPhrase place;
   bool polite = false;
   for (const std::string& word : words_)
@@ -236,6 +237,7 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   const bool list = language_.hears_people() && at == 0 && i >= words_.size() && clause.phrases.size() > 1 &&
                     std::none_of(clause.phrases.begin(), clause.phrases.end(), [&](const NounPhrase& phrase) {
                       return phrase.unknown || phrase.person || phrase.pronoun || phrase.bare() ||
+                             phrase.alternative ||  // "(which is better,) beer or coke?"
                              phrase.role != Role::kDirect || lexicon_->is_place_name(phrase.phrase);
                     });
   if (only_harmless_from(i) && (polite || list)) {

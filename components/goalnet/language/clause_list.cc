@@ -152,6 +152,14 @@ std::size_t ClauseParser::listed(std::size_t i, std::size_t end, Clause& clause,
       phrase.alternative = phrase.alternative || words_[k] == "or";
       if (words_[k] == "except" || words_[k] == "but") phrase.role = Role::kExcept;
     }
+    if (NounPhrase there; language_.hears_people() && phrase.role == Role::kExcept && phrase.word == "one") {
+      const std::size_t after = reader_.read_place(done, end, there);  // "all but the one under the kettle"
+      if (after != done) {
+        phrase.at.push_back(std::move(there));
+        clause.phrases.push_back(std::move(phrase));
+        return after;
+      }
+    }
     if (begins_anew(i, next, done, end, clause, phrase, role == Role::kDirect)) return i;
     // "put the mug in the sink and the glass on the counter": the verb counts again
     NounPhrase place;

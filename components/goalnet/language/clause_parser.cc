@@ -126,6 +126,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   // "all of the books should be on the table, except for the one on the shelf"
   if (!result_.clauses.empty())
     if (const std::size_t done = except(at, end, result_.clauses.back()); done != at) return done;
+  if (const std::size_t done = only_stays(at, end); done != at) return done;
+  if (const std::size_t done = namely(at, end); done != at) return done;
   if (word == "do_that") return done_that(at, end);
   if (word == "hint") return hint(at, end);
   // "bring the beer, no, I still have to drive, so the coke"
@@ -169,7 +171,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       done = after;
     }
     if (done != at + 1 && !subject.person && done < end &&
-        (words_[done] == "go" || words_[done] == "be" || words_[done] == "get" || words_[done] == "have")) {
+        (words_[done] == "go" || words_[done] == "be" || words_[done] == "get" || words_[done] == "have" ||
+         (language_.hears_people() && (words_[done] == "come" || words_[done] == "move")))) {
       ensured_ = true;  // "could the coffee go in the microwave?"
       const std::size_t stop = statement(at + 1, end);
       ensured_ = false;

@@ -29,6 +29,7 @@ class ClauseParser {
                    const NounPhrase& phrase, bool direct) const;
   std::size_t particle(std::size_t at, std::size_t end, Clause& clause, Role& role);
   std::size_t statement(std::size_t at, std::size_t end);
+  std::size_t from_several(std::size_t at, std::size_t end, NounPhrase& subject) const;
   std::size_t of_the_same(std::size_t at, std::size_t end);
   std::size_t predicate(std::size_t at, std::size_t end, Clause& clause, bool desired, bool negative);
   // "(on the table) rather than on the couch", "(the mug) instead of the glass", ", not on the xbox": passed
@@ -36,6 +37,23 @@ class ClauseParser {
   std::size_t instead_of(std::size_t at, std::size_t end, Clause& clause);
   // "(all of them should be on the table,) except for the one on the shelf"; `at` where it is none.
   std::size_t except(std::size_t at, std::size_t end, Clause& clause);
+  // "(clear the couch,) only the snacks may stay on it"; "(drinks on the table,) both"; "(dirty dishes in the
+  // sink,) so the plates and the bowl"; `at` where it is none.
+  std::size_t only_stays(std::size_t at, std::size_t end);
+  std::size_t all_of_them(std::size_t at, std::size_t end, const NounPhrase& said, std::size_t done);
+  std::size_t namely(std::size_t at, std::size_t end);
+  // "(make the tap) stop", "(get the microwave) humming"; `at` where it is none.
+  std::size_t caused(std::size_t at, std::size_t end, Clause& clause) const;
+  // "(could the plate) come down from the shelf and onto the table"; `at` where it is none.
+  std::size_t comes(std::size_t at, std::size_t end, Clause& clause) const;
+  // "(every armchair has) a pillow", of what holds or bears something; `at` where it is none.
+  std::size_t has_thing(std::size_t at, std::size_t end, Clause& clause) const;
+  std::size_t where_that_is(std::size_t at, std::size_t end, Clause& clause) const;
+  std::size_t goes_in(std::size_t at, std::size_t end, Clause& clause) const;
+  std::size_t state_of_place(std::size_t at, Clause& clause) const;
+  std::size_t holds_no(std::size_t at, std::size_t end, Clause& clause) const;
+  // "(clear the stove) before you do": to be done before what was asked before it.
+  std::size_t before_that(std::size_t at, std::size_t end);
   std::size_t denied(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t not_that_one(std::size_t at, std::size_t end);
   std::size_t subject_but(std::size_t at, std::size_t end, NounPhrase& subject, NounPhrase& left_out) const;

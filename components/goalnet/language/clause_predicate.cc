@@ -27,6 +27,19 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
     static constexpr std::array kHangsOn = {"when"sv, "if"sv, "unless"sv, "as"sv, "because"sv};
     if (language_.hears_people() && i > at && one_of(word, kHangsOn)) return i;
     NounPhrase place;
+    if (desired && !negative && clause.mood == Mood::kStatement) {
+      if (const std::size_t done = comes(i, end, clause); done != i) return done;
+      if (const std::size_t done = goes_in(i, end, clause); done != i) return done;
+      if (const std::size_t done = where_that_is(i, end, clause); done != i) return done;
+    }
+    if (!desired && clause.mood == Mood::kStatement) {
+      std::size_t done = state_of_place(i, clause);
+      if (done == i) done = holds_no(i, end, clause);
+      if (done != i) {
+        i = done;
+        continue;
+      }
+    }
     if (clause.mood == Mood::kCommand)
       if (const std::size_t done = instead_of(i, end, clause); done != i) {
         i = done;
@@ -106,7 +119,10 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
     if (NounPhrase content;
         desired && !negative && clause.mood == Mood::kStatement) {  // "should have water in it"
       const std::size_t done = reader_.read(i, end, content);
-      if (done != i && language_.content(content.phrase) != symbol::kNone) {
+      const Symbol what = language_.content(content.phrase);
+      const bool liquid = what != symbol::kIceCream && what != symbol::kChocolate &&
+                          what != symbol::kVanilla && what != symbol::kSalt;
+      if (done != i && what != symbol::kNone && (liquid || !language_.hears_people())) {
         clause.mood = Mood::kCommand, clause.frame = Frame::kFill, clause.verb = "fill";
         content.role = Role::kWith;
         clause.phrases.push_back(content);
@@ -142,25 +158,14 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         continue;
       }
     }
-    // "the coffee needs a squirt of chocolate", "armchair 4 needs a pillow"
-    const bool needs = language_.hears_people() && i > 0 &&
-                       (words_[i - 1] == "need" || words_[i - 1] == "want" || words_[i - 1] == "lack");
-    if (NounPhrase thing; needs && desired && !negative && clause.mood == Mood::kStatement &&
-                          !clause.phrases.empty() && !clause.phrases.front().person) {
-      const std::size_t done = reader_.read(i, end, thing);
-      if (done != i && !thing.pronoun && !thing.person && !thing.unknown && !thing.bare() &&
-          ends_here(done, end)) {
-        NounPhrase holder = clause.phrases.front();
-        holder.role = Role::kDestination, holder.where = Where::kTo;
-        const bool dish =
-            language_.holds_things(holder.phrase) || language_.content(holder.phrase) != symbol::kNone;
-        clause.mood = Mood::kCommand, clause.frame = dish ? Frame::kAdd : Frame::kPlace,
-        clause.verb = dish ? "add" : "put";
-        clause.phrases = {thing, holder};
+    // "the coffee needs a squirt of chocolate", "make sure every armchair has a pillow"
+    static constexpr std::array kNeeds = {"need"sv, "want"sv, "lack"sv, "has"sv, "have"sv};
+    if (language_.hears_people() && i > 0 && one_of(words_[i - 1], kNeeds) && desired && !negative &&
+        clause.mood == Mood::kStatement)
+      if (const std::size_t done = has_thing(i, end, clause); done != i) {
         i = done;
         continue;
       }
-    }
     // "it is loud with the tv going": tells of the tv
     if (NounPhrase thing; language_.hears_people() && word == "with" && clause.mood == Mood::kStatement) {
       const std::size_t done = reader_.read(i + 1, end, thing);

@@ -181,6 +181,7 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     subject.at.push_back(std::move(place));
     i = done;
   }
+  i = from_several(i, end, subject);
   NounPhrase left_out;
   i = subject_but(i, end, subject, left_out);
   std::vector<NounPhrase> subjects = {subject};
@@ -192,7 +193,14 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     subjects.push_back(more);
     next = done;
     if (last_there) break;
-    if (language_.copula(words_[done]) || one_of(words_[done], kDesire)) i = done;
+    const bool pause = language_.hears_people() && words_[done] == "," && done + 1 < end;
+    const std::size_t verb = pause ? done + 1 : done;  // "every can - coke, beer - should be in the fridge"
+    if (language_.copula(words_[verb]) || one_of(words_[verb], kDesire)) i = verb;
+  }
+  const bool listed = subjects.size() > 2 && subjects.front().all && words_[named] == ",";
+  if (language_.hears_people() && listed && i != named) {  // "all the dishes - mug, glass, bowl - ..."
+    subjects.erase(subjects.begin());
+    subject = subjects.front();
   }
   if (left_out.role == Role::kExcept) subjects.push_back(std::move(left_out));
   const bool all_there = there && language_.hears_people() && subjects.size() > 1 &&

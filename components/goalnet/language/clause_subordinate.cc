@@ -21,6 +21,11 @@ std::size_t ClauseParser::condition(std::size_t at, std::size_t end) {
   const std::size_t done = inner.statement(at + 1, stop);
   if (done < stop || !inner.result_.stray.empty() || inner.result_.clauses.size() != 1) return at;
   Clause clause = inner.result_.clauses.front();
+  if (language_.hears_people() && clause.wish && clause.frame == Frame::kFill && clause.phrases.size() == 2) {
+    clause.phrases.front().content = clause.phrases.back().phrase;  // "there is no water in the kettle"
+    clause.phrases.pop_back();
+    clause.frame = Frame::kNone, clause.wish = false, clause.negative = true;
+  }
   const bool says =
       !clause.state.empty() ||
       (!clause.phrases.empty() && (!clause.phrases.front().at.empty() ||
@@ -113,6 +118,7 @@ std::size_t ClauseParser::subordinate(std::size_t at, std::size_t end) {
       result_.problem = "conditions (\"" + word + " ...\") are not understood; say what to do now";
     return skip_part(at, end);
   }
+  if (const std::size_t done = before_that(at, end); done != at) return done;
   if (word == "before" || word == "after" || word == "once" || word == "when") {
     // "after that run", "before the match"
     if (language_.hears_people() && at + 2 < end &&

@@ -59,8 +59,9 @@ class Filler {
     };
     NounPhrase phrase;
     if (number_word(words_.text[i]) > 0 && i + 1 < end && reader.name_length(i + 1) == 0) {
-      const std::size_t done = reader.read_place(i + 1, end, phrase);
-      if (done != i + 1 && rest_is_small(done)) {
+      const std::size_t verb = one_of(words_.text[i + 1], kDesire) ? 1 : 0;  // "one goes on the table"
+      const std::size_t done = reader.read_place(i + 1 + verb, end, phrase);
+      if (done != i + 1 + verb && rest_is_small(done)) {
         span.part = Part::kCountAtPlace;
         return span;
       }
@@ -129,6 +130,27 @@ class Filler {
     words_.plural.insert(words_.plural.begin() + static_cast<long>(at), text.size(), false);
   }
 
+  // "three waters: one in the glass, two in the long cups": each part gets the thing, what is shared out
+  // before them goes.
+  void share_out(const std::vector<Span>& spans, std::size_t first) {
+    const Span& one = spans[first];
+    std::size_t from = one.content, to = one.end;
+    while (from + 1 < to && (number_word(words_.text[from]) > 0 || one_of(words_.text[from], kDeterminers)))
+      ++from;
+    while (to > from + 1 && harmless(to - 1)) --to;
+    const std::vector<std::string> thing(words_.text.begin() + static_cast<long>(from),
+                                         words_.text.begin() + static_cast<long>(to));
+    std::size_t last = first + 1;
+    while (last + 1 < spans.size() && spans[last + 1].part == Part::kCountAtPlace) ++last;
+    const bool moved = language_.content(words_.text[to - 1]) == symbol::kNone;  // no drink
+    for (std::size_t k = last; k > first; --k) {
+      std::vector<std::string> again = thing;
+      if (moved && k > first + 1) again.insert(again.begin(), "other");
+      insert(spans[k].content + 1, again);
+    }
+    for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
+  }
+
   bool change() {
     const NounPhraseReader reader(words_, language_, lexicon_);
     std::vector<Span> spans;
@@ -153,10 +175,7 @@ class Filler {
         return true;
       }
       if (one.part == Part::kThings && two.part == Part::kCountAtPlace) {
-        const std::vector<std::string> thing(words_.text.begin() + static_cast<long>(one.content),
-                                             words_.text.begin() + static_cast<long>(one.end));
-        insert(two.content + 1, thing);
-        for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
+        share_out(spans, i);
         return true;
       }
       // "need coffee. hot.", "coffee, hot, please"

@@ -57,6 +57,7 @@ class FrameActions {
   // frame_actions.cc: what is meant
   Objects objects_of(const NounPhrase& phrase, Sort sort, const Clause& clause);
   Objects pronoun(const NounPhrase& phrase, Sort sort, const Objects& not_these) const;
+  void prefer_there(const Clause& clause, const NounPhrase& phrase, Objects& options) const;
   bool misplaced(const Clause& clause, const NounPhrase& phrase, const Objects& options);
   Objects direct(const Clause& clause, Sort sort, Problem& problem);
   Objects role_objects(const Clause& clause, Role role, Sort sort, Problem& problem);
@@ -99,6 +100,8 @@ class FrameActions {
                                      const NounPhrase& destination, const Objects& vessels);
   Problem put_with(const NounPhrase& with, Symbol object, Where where);
   Problem put_at(const Clause& clause, const Objects& objects, const NounPhrase& destination);
+  // "discard everything that is in the mug": nothing where it is not about what a vessel holds.
+  std::optional<Problem> discard_content(const Clause& clause);
   Problem discard(const Clause& clause);
   Problem release(const Clause& clause);
   Problem swap(const Clause& clause);

@@ -61,6 +61,9 @@ std::optional<bool> FrameActions::is_so(Symbol object, const std::string& state)
                                              : now_.is(object, kIsOpen);
     return open == (state == "open");
   }
+  if (const ObjectClass* c = resolver_.class_of(object);
+      at_home_ && c != nullptr && c->place && (state == "free" || state == "empty" || state == "full"))
+    return resolver_.taken(object, now_) == (state == "full");
   if (at_home_ && state == "muted" && resolver_.is_of_class(object, "tv")) return !now_.is(object, kVolume);
   if (at_home_ && resolver_.is_vessel(object) && (state == "full" || state == "filled" || state == "empty")) {
     bool full = false;
@@ -94,6 +97,13 @@ bool FrameActions::wanted(const Clause& clause, Problem& problem) {
       if (const NounPhrase* named = clause.first(Role::kDirect);
           condition.phrases.front().pronoun && history_.empty() && named != nullptr && !named->pronoun)
         condition.phrases.front() = *named;
+      // "if the other couch is free, put the bowl there": not the one that it stands on
+      if (const NounPhrase* moved = clause.first(Role::kDirect);
+          at_home_ && condition.phrases.front().has("other") && moved != nullptr && !moved->pronoun &&
+          !moved->bare())
+        if (const Objects options = resolver_.options(*moved, Sort::kMovable, now_); !options.empty())
+          if (const Symbol place = resolver_.place_of(options.front(), now_); place != kNone)
+            resolver_.remember({place});
       so = holds(condition, problem);
       if (!problem.empty()) return false;
       notice(condition);

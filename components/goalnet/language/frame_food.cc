@@ -108,9 +108,18 @@ std::string FrameActions::add_to(const Clause& said) {
     targets = resolver_.chosen(*destination, targets);
     if (targets.empty()) return unknown_thing(*destination, Sort::kVessel);
   }
+  Objects sources;  // "add the hot water from the kettle to the ramen"
+  if (const NounPhrase* from = clause.first(Role::kSource);
+      at_home_ && from != nullptr && !from->pronoun && !from->bare() && !from->unknown)
+    sources = resolver_.options(*from, Sort::kVessel, now_);
   for (const Symbol target : targets)
     for (const NounPhrase& what : whats) {
       if (what.unknown) return unknown_thing(what, Sort::kMovable);
+      if (!sources.empty() && sources.front() != target && language_.content(what.phrase) != kNone &&
+          now_.is(sources.front(), language_.content(what.phrase))) {
+        if (const Problem poured = pour_into(sources.front(), target, true); !poured.empty()) return poured;
+        continue;
+      }
       Problem problem;
       bool done = false;
       if (clause.frame == Frame::kSqueeze && !what.pronoun && !what.bare()) {

@@ -96,6 +96,7 @@ FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort so
       std::stable_partition(options.begin(), options.end(), told);
       break;
     }
+  prefer_there(clause, phrase, options);
   // "put a book on the shelf" means one that is not there yet
   if (!avoid_.empty() && !phrase.plural && !phrase.all && phrase.role == Role::kDirect)
     std::stable_partition(options.begin(), options.end(),

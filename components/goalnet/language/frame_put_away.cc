@@ -12,6 +12,14 @@ using namespace symbol;
 std::string FrameActions::put_without_place(const Clause& clause) {
   const NounPhrase* thing = clause.first(Role::kDirect);
   const bool on = clause.has_particle("on"), off = clause.has_particle("off");
+  if (const bool out = clause.has_particle("out"); at_home_ && (off || out) && thing != nullptr) {
+    // "put it out", "put out all the burners"
+    const Objects devices = thing->pronoun ? pronoun(*thing, Sort::kDevice, {}) : Objects{};
+    const auto burner = [&](Symbol object) { return resolver_.is_of_class(object, "burner"); };
+    if (!devices.empty() ||
+        (!thing->pronoun && !thing->bare() && std::ranges::any_of(resolver_.named(*thing), burner)))
+      return turn(clause, 0);
+  }
   if (on || off) {
     const bool burner = at_home_ && thing != nullptr && !thing->bare() &&
                         std::ranges::any_of(resolver_.named(*thing), [&](Symbol object) {

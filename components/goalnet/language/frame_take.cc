@@ -204,6 +204,10 @@ std::string FrameActions::take(const Clause& clause) {
   if (at_home_ && objects.size() > kMostCarried)
     return "that are " + std::to_string(objects.size()) + " things; " + std::to_string(kMostCarried) +
            " can be carried";
+  // "the spoon in the glass has to come out, the fork can go in there"
+  if (at_home_ && objects.size() == 1 && last_destination_.empty())
+    if (const Symbol place = resolver_.place_of(objects.front(), now_); place != kNone)
+      last_destination_ = {place};
   for (const Symbol object : objects)
     if (problem = take_up(object); !problem.empty()) return problem;
   return {};

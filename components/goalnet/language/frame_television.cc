@@ -57,7 +57,12 @@ std::string FrameActions::television(const Clause& clause) {
                     clause.frame == Frame::kLower;
   bool other_things = false;  // "mute the pillow"
   int channel = 0, steps = 1;
+  int avoided = 0;  // "any channel except three"
   for (const NounPhrase& phrase : clause.phrases) {
+    if (at_home_ && phrase.role == Role::kExcept) {
+      avoided = phrase.number;
+      continue;
+    }
     if (phrase.phrase == "channel" && phrase.count > 0 && phrase.number == 0) steps = phrase.count;
     channel = std::max({channel, phrase.number, phrase.ordinal, phrase.pronoun ? phrase.count : 0});
     if (phrase.phrase.empty() || language_.tv_word(phrase.phrase)) continue;
@@ -85,6 +90,7 @@ std::string FrameActions::television(const Clause& clause) {
       return "there is no channel " + std::to_string(channel) + "; there are channels 1 to " +
              std::to_string(kChannels);
     }
+    if (avoided > 0 && channel == 0 && now != avoided) return {};
     const int by = (steps % kChannels) * (down ? kChannels - 1 : 1);
     const int target = channel > 0 ? channel : (now - 1 + by) % kChannels + 1;
     const bool up = (target - now + kChannels) % kChannels <= kChannels / 2;

@@ -8,7 +8,25 @@ namespace goalnet::inference {
 
 using namespace symbol;
 
+std::optional<std::string> FrameActions::discard_content(const Clause& clause) {
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  if (!at_home_ || thing == nullptr || !thing->everything) return std::nullopt;
+  const NounPhrase* in = clause.first(Role::kDestination);
+  if (in == nullptr) in = clause.first(Role::kSource);
+  if (in == nullptr && thing->at.size() == 1) in = &thing->at.front();
+  if (in == nullptr || in->pronoun || in->bare() || in->unknown) return std::nullopt;
+  const Objects vessels = resolver_.options(*in, Sort::kVessel, now_);
+  if (vessels.empty() || vessels.front() == kGarbageBin_1 || resolver_.taken(vessels.front(), now_))
+    return std::nullopt;
+  Clause emptied = clause;
+  emptied.frame = Frame::kEmpty, emptied.verb = "empty";
+  emptied.phrases = {*in};
+  emptied.phrases.front().role = Role::kDirect;
+  return empty(emptied);
+}
+
 std::string FrameActions::discard(const Clause& clause) {
+  if (const auto emptied = discard_content(clause)) return *emptied;
   if (const NounPhrase* to = clause.first(Role::kDestination); to != nullptr) {
     const auto at = to->pronoun || to->bare() ? Objects{} : resolver_.options(*to, Sort::kPlace, now_);
     const bool bin = !at.empty() && (at.front() == kGarbageBin_1 || at.front() == kGarbageBag_1);
@@ -127,6 +145,13 @@ std::string FrameActions::clear(const Clause& clause) {
   // but for "the sofa with all that stuff on it"
   if (place == nullptr && thing != nullptr && !thing->at.empty() && !thing->at.front().everything)
     place = &thing->at.front();
+  // "clear the coke and the salt away"
+  if (place == nullptr && at_home_ && thing != nullptr && clause.has_particle("away") && !thing->pronoun &&
+      !thing->bare() && !thing->everything && !lexicon_place(*thing)) {
+    Clause put_away = clause;
+    put_away.frame = Frame::kPlace, put_away.verb = "put";
+    return put(put_away);
+  }
   if (place == nullptr) place = thing;
   if (place == nullptr) return "it is not clear what to clear";
   auto options = place->pronoun ? pronoun(*place, Sort::kPlace, {})
@@ -149,9 +174,15 @@ std::string FrameActions::clear(const Clause& clause) {
       if (now_.has(Relation::kIsGraspable, object)) there.push_back(object);
   }
   if (place != thing && thing != nullptr && !thing->everything && !thing->pronoun) {
-    const auto meant = resolver_.options(*thing, Sort::kMovable, now_);
+    Objects meant;
+    for (const NounPhrase& named : clause.phrases)
+      if (named.role == Role::kDirect && !named.pronoun && !named.bare())
+        for (const Symbol object : resolver_.options(named, Sort::kMovable, now_)) meant.push_back(object);
     std::erase_if(there, [&](Symbol object) { return !contains(meant, object); });
   }
+  for (const NounPhrase& stays : clause.phrases)  // "clear the couch, only the snacks may stay"
+    if (stays.role == Role::kExcept && !stays.pronoun && !stays.bare())
+      for (const Symbol object : resolver_.options(stays, Sort::kMovable, now_)) std::erase(there, object);
   Symbol target = surface();
   if (contains(options, target)) target = kNone;
   for (const SeenObject& other : resolver_.objects())

@@ -115,7 +115,10 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
       // "give that one a pillow"
       const bool alone = language_.hears_people() && i > at && one_of(words_.text[i - 1], kPointers) &&
                          i + 1 < end && one_of(words_.text[i + 1], kArticles);
-      const bool counts = starts(i + 1, end) && !alone;
+      // "the one my bowl is on"
+      const bool relative_follows = language_.hears_people() && word == "one" && determined && i + 1 < end &&
+                                    one_of(words_.text[i + 1], kDeterminers);
+      const bool counts = starts(i + 1, end) && !alone && !relative_follows;
       if (word == "one" && determined && !counts && !(i + 1 < end && words_.text[i + 1] == "of")) break;
       if (in_place_ && (i + 1 >= end || language_.joins(words_.text[i + 1]))) {  // "change the channel to 5"
         phrase.number = number, phrase.phrase = phrase.word = one();

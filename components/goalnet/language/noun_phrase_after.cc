@@ -49,71 +49,6 @@ std::size_t NounPhraseReader::of(std::size_t i, std::size_t end, NounPhrase& phr
   return done;
 }
 
-std::size_t NounPhraseReader::floor(std::size_t at, std::size_t end) const {
-  static constexpr std::array kFrom = {"on"sv, "from"sv, "off"sv, "of"sv, "the"sv};
-  static constexpr std::array kFloor = {"floor"sv, "ground"sv, "carpet"sv, "rug"sv};
-  std::size_t k = at;
-  while (k < end && one_of(words_.text[k], kFrom)) ++k;
-  return k > at && k < end && one_of(words_.text[k], kFloor) && words_.text[at] != "of" &&
-                 words_.text[at] != "the"
-             ? k + 1
-             : at;
-}
-
-std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhrase& phrase) const {
-  std::size_t k = i;
-  while (k < end && one_of(words_.text[k], kLying)) ++k;
-  if (k + 1 < end && (words_.text[k] == "you" || words_.text[k] == "i") &&
-      (words_.text[k + 1] == "are" || words_.text[k + 1] == "am" || words_.text[k + 1] == "have" ||
-       language_.verb(words_.text[k + 1]) == Frame::kTake)) {
-    ++k;
-    while (k < end && (words_.text[k] == "are" || words_.text[k] == "am" || words_.text[k] == "have" ||
-                       words_.text[k] == "currently" || words_.text[k] == "just" ||
-                       language_.verb(words_.text[k]) == Frame::kTake || words_.text[k] == "up"))
-      ++k;
-    if (k < end && (words_.text[k] == "in" || words_.text[k] == "with")) {  // "have in your hand"
-      NounPhrase hand;
-      const std::size_t done = read(k + 1, end, hand);
-      if (hand.hand) k = done;
-    }
-    phrase.adjectives.push_back("held");
-    return k;
-  }
-  if (language_.hears_people() && floor(k, end) != k) {  // "lying on the floor"
-    phrase.on_floor = true;
-    return floor(k, end);
-  }
-  NounPhrase place;
-  if (language_.hears_people() && k > i && k < end &&
-      words_.text[k] == "not") {  // "that are not on the shelf"
-    const std::size_t done = read_place(k + 1, end, place);
-    if (done != k + 1 && !place.hand && !place.person) {
-      place.negated = true;
-      phrase.at.push_back(place);
-      return done;
-    }
-    place = {};
-  }
-  if (const std::size_t done = read_place(k, end, place); done != k) {
-    if (place.hand || place.person)
-      phrase.adjectives.push_back("held");
-    else
-      phrase.at.push_back(place);
-    return done;
-  }
-  // "the burner that is on"
-  if (language_.hears_people() && k > i && k < end &&
-      (words_.text[k] == "on" || words_.text[k] == "running" || words_.text[k] == "burning")) {
-    phrase.adjectives.emplace_back("lit");
-    return k + 1;
-  }
-  if (k < end && one_of(words_.text[k], kStates) && k > i) {
-    phrase.adjectives.push_back(words_.text[k]);
-    return k + 1;
-  }
-  return i;
-}
-
 std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& phrase) const {
   for (int round = 0; round < 4 && i < end; ++round) {
     const std::string& word = words_.text[i];
@@ -138,17 +73,9 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       // "the burner that the kettle is on", "the shelf where the beer is"
       if (word == "where" && !lexicon_.is_place_name(phrase.phrase))
         return i;  // "put the mug where the coke is"
-      if (NounPhrase there; names_[k] > 0 || one_of(words_.text[k], kArticles)) {
-        const std::size_t done = read(k, end, there);
-        if (done < end &&
-            (words_.text[done] == "is" || words_.text[done] == "are" || words_.text[done] == "stand" ||
-             words_.text[done] == "lie" || words_.text[done] == "sit")) {
-          there.where = Where::kUnder;
-          phrase.at.push_back(there);
-          i = done + 1;
-          if (i < end && (words_.text[i] == "on" || words_.text[i] == "in" || words_.text[i] == "at")) ++i;
-          continue;
-        }
+      if (const std::size_t done = bears(k, end, phrase); done != k) {
+        i = done;
+        continue;
       }
       if (word == "where") return i;
       // "the mug that has coffee in it"
@@ -168,6 +95,15 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       if (done == k) return i;
       i = done;
       continue;
+    }
+    // "the one the kettle is standing on"
+    if (language_.hears_people() && !phrase.bare() && one_of(word, kDeterminers) &&
+        (phrase.word == "one" || lexicon_.is_place_name(phrase.phrase))) {
+      const std::size_t done = bears(i, end, phrase, true);
+      if (done != i) {
+        i = done;
+        continue;
+      }
     }
     if (phrase.everything && (word == "is" || word == "are")) {  // "whatever is on the stove"
       const std::size_t done = relative(i, end, phrase);
@@ -233,15 +169,8 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       }
       return i;
     }
-    // "the armchair without a pillow"
-    if (word == "without" && lexicon_.is_place_name(phrase.phrase)) {
-      NounPhrase missing;
-      std::size_t done = read(i + 1, end, missing);
-      if (done == i + 1 && i + 1 < end && (words_.text[i + 1] == "one" || words_.text[i + 1] == "any"))
-        done = i + 2;  // "put it on the armchair without one"
-      if (done == i + 1) return i;
-      phrase.adjectives.push_back("free");
-      if (!missing.phrase.empty()) last_thing_ = missing.phrase;
+    // "the armchair without a pillow", "the plate without an egg on it", "the table with nothing on it"
+    if (const std::size_t done = lacks(i, end, phrase); done != i) {
       i = done;
       continue;
     }

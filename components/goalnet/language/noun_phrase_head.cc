@@ -45,6 +45,8 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     phrase.phrase = phrase.word = name(i);
     phrase.plural = words_.plural[i + names_[i] - 1] || one_of(words_.text[i + names_[i] - 1], kCollective);
     i += names_[i];
+    if (language_.hears_people() && phrase.phrase == "channel" && phrase.count == 0)
+      phrase.number = phrase.ordinal;  // "the sixth channel"
     if (i < end && words_.text[i] == "one" && determined && !lexicon_.is_name(phrase.phrase + " one"))
       ++i;  // "the vanilla one"
     if (i < end && words_.text[i] == "number" && i + 1 < end && number_word(words_.text[i + 1])) ++i;
@@ -87,6 +89,14 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
     phrase.phrase = one(), phrase.word = "one", phrase.plural = words_.plural[i];
     if (phrase.phrase.empty()) phrase.pronoun = true;
     return after(i + 1, end, phrase);
+  }
+  if (NounPhrase place; language_.hears_people() && word == "thing" && !words_.plural[i] && phrase.definite &&
+                        phrase.adjectives.empty() && phrase.count == 0 && phrase.ordinal == 0 &&
+                        !phrase.all && after(i + 1, end, place) == i + 1 &&
+                        read_place(i + 1, end, place) == i + 1) {
+    phrase.pronoun = true,
+    phrase.word = "it";  // "(take the bowl out of the microwave, then) close the thing"
+    return i + 1;
   }
   if (one_of(word, kThings)) {
     phrase.everything = phrase.plural = true, phrase.all = word == "everything" || word == "stuff" ||

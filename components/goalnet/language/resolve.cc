@@ -111,6 +111,9 @@ bool Resolver::is_at(Symbol object, const NounPhrase& place, const SymState& now
     return which == 0 || number_of(symbols_.name(at)) == which ||
            (number_of(symbols_.name(at)) == 0 && which == 1);
   };
+  if (const Symbol content = language_.content(place.phrase);  // "the plate without ice cream on it"
+      place.where == Where::kUnder && content != kNone && now.is(object, content) && language_.hears_people())
+    return true;
   for (const SymFact fact : now.facts()) {
     if (relation_of(fact) != Relation::kOn && relation_of(fact) != Relation::kIn) continue;
     if (subject_of(fact) == object && fits_place(object_of(fact))) return true;
