@@ -102,7 +102,13 @@ std::size_t ClauseParser::has_thing(std::size_t at, std::size_t end, Clause& cla
 std::size_t ClauseParser::where_that_is(std::size_t at, std::size_t end, Clause& clause) const {
   if (at + 1 >= end || words_[at] != "where") return at;
   NounPhrase beside;
-  const std::size_t done = reader_.read(at + 1, end, beside);
+  std::size_t done = reader_.read(at + 1, end, beside);
+  if (NounPhrase there; language_.hears_people() && done != at + 1) {  // "where the book from the table is"
+    const std::size_t from = done < end && words_[done] == "from" ? done + 1 : done;
+    const std::size_t after =
+        from > done ? reader_.read(from, end, there, true) : reader_.read_place(done, end, there);
+    if (after != from && !there.person && !there.unknown) beside.at.push_back(std::move(there)), done = after;
+  }
   const bool stands = done < end && (language_.copula(words_[done]) ||
                                      (language_.hears_people() && one_of(words_[done], kLying)));
   if (done == at + 1 || !stands) return at;

@@ -34,7 +34,14 @@ bool ClauseParser::leaves_command(std::size_t i, std::size_t next, std::size_t e
                    [](const std::string& word) { return word == "or" || word == "and"; }))
     return true;  // "do not wash the bowl, the plates"
   if (language_.hears_people() && words_[next - 1] == "no" && reader_.name_length(next) > 0)
-    return true;  // "a scoop in the bowl, no syrup"
+    return true;               // "a scoop in the bowl, no syrup"
+  const auto may_stay = [&] {  // "clear the couch, (only) the book and the bowl can stay"
+    const std::size_t stop = part_end(next, end);
+    for (std::size_t k = next + 1; k + 1 < stop; ++k)
+      if ((words_[k] == "can" || words_[k] == "may") && words_[k + 1] == "stay") return true;
+    return false;
+  };
+  if (comma && language_.hears_people() && may_stay()) return true;
   if (comma && likes_doing(next, end)) return true;
   if (comma && tells_time(next, part_end(next, end))) return true;  // "bring the mug, bus in an hour"
   if (!language_.hears_people()) return false;

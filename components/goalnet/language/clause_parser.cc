@@ -68,6 +68,10 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     add_told(at + 1, skip_part(at, end));
     return skip_part(at, end);
   }
+  if (third_person(at, end)) {  // "it starts right now"
+    add_told(at, part_end(at, end));
+    return part_end(at, end);
+  }
   if (language_.hears_people() && words_[at] == "whoever") {  // "whoever left the tap on should be ashamed"
     add_told(at, part_end(at, end));
     return part_end(at, end);
@@ -82,6 +86,10 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
                        !result_.clauses.empty() && reader_.name_length(at) > 0) {
     const std::size_t done = reader_.read(at, end, none);  // "..., no syrup": is left out anyway
     if (done != at && ends_here(done, end)) return done;
+  }
+  if (third_person(at, end)) {
+    add_told(at, part_end(at, end));
+    return part_end(at, end);
   }
   if (const std::size_t stop = idle(at, end); stop != at) return stop;
   if (const std::size_t stop = none_there(at, end); stop != at) return stop;

@@ -97,6 +97,7 @@ class ClauseParser {
   std::size_t aside(std::size_t at, std::size_t end);
   bool tells_time(std::size_t at, std::size_t stop) const;
   std::size_t exclamation(std::size_t at, std::size_t end) const;
+  bool third_person(std::size_t at, std::size_t end) const;
   std::size_t part_end(std::size_t at, std::size_t end) const;
   bool tells(std::size_t at, std::size_t stop) const;
   std::size_t skip_part(std::size_t at, std::size_t end) const;  // to the next comma or the end

@@ -234,10 +234,14 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       verb_seen = true;
     } else if (!(word == "to" && desired && !reader_.starts(k + 1, end)) &&
                !(harmless(k) && verb_seen && !reader_.starts(k, end) &&
-                 language_.wanted_by_state(word) == Frame::kNone && !place_preposition(word))) {
+                 language_.wanted_by_state(word) == Frame::kNone && !place_preposition(word) &&
+                 !(language_.hears_people() &&
+                   (word == "free" || (word == "no" && k + 1 < end && reader_.name_length(k + 1) > 0))))) {
       break;
     }
   }
+  if (language_.hears_people() && desired && k < end && (words_[k] == "come" || words_[k] == "move"))
+    verb_seen = true;  // "could the plate come down from the shelf?"
   if (!verb_seen) return fragment(at, end);
   Clause clause;
   clause.mood = Mood::kStatement;

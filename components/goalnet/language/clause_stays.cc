@@ -94,7 +94,8 @@ std::size_t ClauseParser::before_that(std::size_t at, std::size_t end) {
   std::size_t i = at + 1;
   if (!language_.hears_people() || words_[at] != "before" || result_.clauses.size() < 2) return at;
   if (i < end && words_[i] == "you") ++i;
-  if (i >= end || (words_[i] != "do" && words_[i] != "doing" && !one_of(words_[i], kThat))) return at;
+  // "before you do that" is left as "before"
+  if (i < end && words_[i] != "do" && words_[i] != "doing" && !one_of(words_[i], kThat)) return at;
   while (i < end && (words_[i] == "do" || words_[i] == "doing" || one_of(words_[i], kThat))) ++i;
   if (!ends_here(i, end) || result_.clauses.back().mood != Mood::kCommand) return at;
   std::rotate(result_.clauses.rbegin(), result_.clauses.rbegin() + 1, result_.clauses.rbegin() + 2);

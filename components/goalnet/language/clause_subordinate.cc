@@ -52,7 +52,20 @@ std::size_t ClauseParser::otherwise(std::size_t at, std::size_t end) {
                : at;
   conditional_.condition = last->condition, conditional_.condition_number = last->condition_number;
   conditional_.otherwise = !last->otherwise;
-  return skip_joins(at + 1, end);
+  const std::size_t next = skip_joins(at + 1, end);
+  // "put the plate on the table, otherwise on the counter"
+  if (NounPhrase place; last->frame == Frame::kPlace || last->frame == Frame::kBring) {
+    const std::size_t done = reader_.read_place(next, end, place);
+    if (done == next || place.person || place.hand || !ends_here(done, end)) return next;
+    Clause other = *last;
+    std::erase_if(other.phrases, [](const NounPhrase& old) { return old.role == Role::kDestination; });
+    place.role = Role::kDestination;
+    other.phrases.push_back(std::move(place));
+    other.otherwise = conditional_.otherwise;
+    add(std::move(other));
+    return done;
+  }
+  return next;
 }
 
 // "once it has been filled with water, put it on the stove": to be done first, where nobody asked for it

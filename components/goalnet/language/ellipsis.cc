@@ -143,10 +143,26 @@ class Filler {
     std::size_t last = first + 1;
     while (last + 1 < spans.size() && spans[last + 1].part == Part::kCountAtPlace) ++last;
     const bool moved = language_.content(words_.text[to - 1]) == symbol::kNone;  // no drink
+    const bool drink = !moved && to == from + 1;
     for (std::size_t k = last; k > first; --k) {
+      const std::size_t number = spans[k].content;
+      if (one_of(words_.text[number + 1], kDesire)) erase(number + 1);
       std::vector<std::string> again = thing;
       if (moved && k > first + 1) again.insert(again.begin(), "other");
-      insert(spans[k].content + 1, again);
+      // "two in the long cups": in two of them
+      const bool vessels = drink && number_word(words_.text[number]) > 1;
+      if (vessels) {
+        const std::size_t in = number + 2;
+        if (!one_of(words_.text[in], kArticles))
+          insert(in, {words_.text[number]});
+        else
+          insert(in + 1, {words_.text[number]});
+        erase(number);
+        insert(number, again);
+      } else {
+        insert(number + 1, again);
+      }
+      insert(number, {"put"});
     }
     for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
   }

@@ -85,6 +85,7 @@ class FrameActions {
   Problem go(const Clause& clause);
   Problem take(const Clause& clause);
   Problem take_up(Symbol object);
+  std::optional<Problem> give_content(const Clause& clause);
   std::optional<Problem> give(const Clause& clause);
   Problem put(const Clause& clause);
   Problem put_without_place(const Clause& clause);

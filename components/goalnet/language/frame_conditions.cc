@@ -106,6 +106,8 @@ bool FrameActions::wanted(const Clause& clause, Problem& problem) {
             resolver_.remember({place});
       so = holds(condition, problem);
       if (!problem.empty()) return false;
+      if (condition.negative)
+        condition.phrases.front().content.clear();  // "the kettle has no water, fill it"
       notice(condition);
       judged_.emplace_back(clause.condition_number, so);
     }

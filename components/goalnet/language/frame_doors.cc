@@ -69,6 +69,9 @@ std::string FrameActions::door(const Clause& clause, bool open) {
       for (auto it = history_.rbegin(); it != history_.rend() && things.empty(); ++it)
         for (const Symbol thing : *it)
           if ((openable(thing) || (at_home_ && is_switched(thing))) && things.empty()) things = {thing};
+      // "take the bowl out of the microwave, then close it"
+      for (const Symbol place : last_destination_)
+        if (at_home_ && things.empty() && openable(place)) things = {place};
     } else if (!open && (phrase.everything || (phrase.phrase == "door" && both))) {  // "close all the doors"
       any = true;
       for (const Symbol thing : {kFridge, kMicrowave})

@@ -6,20 +6,27 @@ namespace goalnet::inference {
 
 using namespace symbol;
 
+// "give water in the kettle", "give me coke in the glass", "... in it instead"; nothing where it is not that.
+std::optional<std::string> FrameActions::give_content(const Clause& clause) {
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  if (!at_home_ || clause.verb != "give" || thing == nullptr || thing->definite) return std::nullopt;
+  const Symbol content = language_.content(thing->phrase);
+  const NounPhrase* in = thing->at.empty() ? clause.first(Role::kDestination) : &thing->at.front();
+  const bool drink = content == kWater || content == kCoffee || content == kCoke || content == kEnergyDrink ||
+                     content == kCanadaDry;
+  if (!drink || in == nullptr || in->where == Where::kTo || in->bare() || in->everything) return std::nullopt;
+  const Objects vessels = in->pronoun ? pronoun(*in, Sort::kVessel, {})
+                                      : resolver_.chosen(*in, resolver_.options(*in, Sort::kVessel, now_));
+  if (vessels.empty() || now_.is(vessels.front(), content)) return std::nullopt;
+  if (const Problem problem = fill_one(vessels.front(), content); !problem.empty()) return problem;
+  remember({vessels.front()});
+  return clause.to_person ? take_up(vessels.front()) : Problem{};
+}
+
 // Nothing where somebody is given something.
 std::optional<std::string> FrameActions::give(const Clause& clause) {
-  // "give water in the kettle"
   const NounPhrase* thing = clause.first(Role::kDirect);
-  if (at_home_ && clause.verb == "give" && !clause.to_person && thing != nullptr &&
-      language_.content(thing->phrase) == kWater && !thing->at.empty()) {
-    Clause filled = clause;
-    filled.frame = Frame::kPlace, filled.verb = "put";
-    NounPhrase vessel = thing->at.front();
-    vessel.role = Role::kDestination;
-    for (NounPhrase& phrase : filled.phrases) phrase.at.clear();
-    filled.phrases.push_back(std::move(vessel));
-    return put(filled);
-  }
+  if (const auto filled = give_content(clause)) return *filled;
   // "the armchair has no pillow, give it the one from the shelf"
   if (at_home_ && clause.verb == "give" && !clause.to_person && clause.phrases.size() >= 2 &&
       clause.phrases[0].role == Role::kDirect && clause.phrases[1].role == Role::kDirect) {

@@ -12,6 +12,21 @@ std::string FrameActions::make(const Clause& clause) {
   const NounPhrase* thing = clause.first(Role::kDirect);
   if (thing == nullptr || thing->bare()) return "it is not clear what to " + clause.verb;
   Symbol content = language_.content(thing->content.empty() ? thing->phrase : thing->content);
+  // "serve the egg on a plate"
+  if (const NounPhrase* dish = clause.first(Role::kDestination);
+      at_home_ && clause.frame == Frame::kMake && dish != nullptr && !dish->pronoun && !dish->bare() &&
+      !thing->pronoun && !thing->everything && thing->content.empty() &&
+      (content == kNone || (content == kEgg && thing->definite))) {
+    const Objects food = resolver_.options(*thing, Sort::kMovable, now_);
+    const Objects dishes = resolver_.options(*dish, Sort::kPlace, now_);
+    const bool holder =
+        !dishes.empty() && (resolver_.is_vessel(dishes.front()) || resolver_.class_of(dishes.front())->dish);
+    if (holder && !food.empty() && resolver_.class_of(food.front())->food) {
+      Clause served = clause;
+      served.frame = Frame::kPlace, served.verb = "put", served.to_person = false;
+      return put(served);
+    }
+  }
   if (content == kNone) {
     const auto objects =
         thing->pronoun || thing->everything ? Objects{} : resolver_.options(*thing, Sort::kMovable, now_);

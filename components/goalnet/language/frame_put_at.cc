@@ -105,6 +105,7 @@ std::optional<std::string> FrameActions::put_content(const Clause& clause, const
     // "serve coke in a glass": a can does not go into a glass, what it holds does
     const bool drink = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
     if (drink && inside) return pour(clause);
+    if (at_home_ && drink && clause.first(Role::kSource) != nullptr) return pour(clause);
     if (content == kSalt || content == kChocolate || content == kVanilla || content == kRamen ||
         content == kEgg || thing.some) {
       Clause only = clause;

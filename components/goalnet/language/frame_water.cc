@@ -201,8 +201,15 @@ std::string FrameActions::pour(const Clause& clause) {
       return unknown_thing(*source_phrase, Sort::kVessel);
     else
       source = options.front();
+    for (const Symbol option : options)  // "the coke from the can": the one that holds some
+      if (at_home_ && content != kNone && !now_.is(source, content) && now_.is(option, content))
+        source = option;
   } else if (content != kNone) {
     source = vessel_with(content);
+    // "one water in the glass, two in the long cups": each from the tap
+    if (at_home_ && content == kWater && source != kNone && !start_.is(source, kWater) && !thing->definite &&
+        (thing->count > 0 || targets.size() > 1))
+      source = kNone;
     if (source == kNone && content != kWater) {
       const auto cans = resolver_.options(*thing, Sort::kVessel, now_);
       return cans.empty() ? "nothing here holds " + thing->word

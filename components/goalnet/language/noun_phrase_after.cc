@@ -71,7 +71,9 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
           words_.text[k] == "need")
         return i;  // "a book that belongs on the shelf" asks for something
       // "the burner that the kettle is on", "the shelf where the beer is"
-      if (word == "where" && !lexicon_.is_place_name(phrase.phrase))
+      static constexpr std::array kFurniture = {"table"sv, "seat"sv, "place"sv, "spot"sv, "surface"sv};
+      if (word == "where" && !lexicon_.is_place_name(phrase.phrase) &&
+          !(language_.hears_people() && one_of(phrase.phrase, kFurniture)))
         return i;  // "put the mug where the coke is"
       if (const std::size_t done = bears(k, end, phrase); done != k) {
         i = done;
@@ -132,6 +134,11 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
         continue;
       }
     }
+    // "the armchair without a pillow", "the plate without an egg on it", "the table with nothing on it"
+    if (const std::size_t done = lacks(i, end, phrase); done != i) {
+      i = done;
+      continue;
+    }
     // "the burner with the kettle on it"
     if (NounPhrase on_it;
         language_.hears_people() && word == "with" && lexicon_.is_place_name(phrase.phrase)) {
@@ -168,11 +175,6 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
         continue;
       }
       return i;
-    }
-    // "the armchair without a pillow", "the plate without an egg on it", "the table with nothing on it"
-    if (const std::size_t done = lacks(i, end, phrase); done != i) {
-      i = done;
-      continue;
     }
     // "closest to the sink", "next to the tv" (rewritten to "beside")
     if ((word == "nearest" || word == "beside" || word == "near") && !phrase.bare()) {

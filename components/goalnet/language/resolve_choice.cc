@@ -75,8 +75,17 @@ int Resolver::faults(const NounPhrase& phrase, const SeenObject& seen, const Sym
     count += kGraveFault;  // "throw away any open food"
   if (phrase.on_floor && (place_of(object, now) != kNone || now.holds(object)))
     count += phrase.everything ? kGraveFault : kFault;
+  // "the coke in the glass" is the glass that holds some
+  const Symbol named_content = language_.hears_people() ? language_.content(phrase.phrase) : Symbol{kNone};
+  const auto holds_it = [&](const NounPhrase& place) {
+    return named_content != kNone && !place.negated && is_vessel(object) && now.is(object, named_content) &&
+           place.where != Where::kUnder && !place.pronoun && !place.phrase.empty() &&
+           level(place, object, seen.class_id, Sort::kPlace, now) != NameLevel::kNone;
+  };
   for (const NounPhrase& place : phrase.at)
-    if (is_at(object, place, now) == place.negated)
+    if (holds_it(place))
+      continue;
+    else if (is_at(object, place, now) == place.negated)
       count += kFault;
     else if (language_.hears_people() && !place.negated && !is_at(object, place, now, true))
       count += kSlight;
