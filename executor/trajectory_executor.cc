@@ -10,7 +10,7 @@
 namespace goalnet::executor {
 namespace {
 
-std::string number(double value) {
+std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", value);
   return text;
@@ -45,17 +45,17 @@ std::string describe(const LoopVerdict& verdict, const ExecutorParams& params) {
     case LoopReason::kStopped:
       return "stopped on request";
     case LoopReason::kStartMismatch:
-      return "the trajectory starts " + number(verdict.value) + " away from the command of " + joint +
+      return "the trajectory starts " + rounded(verdict.value) + " away from the command of " + joint +
              "; plan from the current joint state, or leave time to get there";
     case LoopReason::kNotReady:
       return "the robot is stopping, in fault or not yet measured; wait until it is idle (after a fault: "
              "reset)";
     case LoopReason::kTracking:
-      return joint + " was " + number(verdict.value) + " away from its command; is it blocked?";
+      return joint + " was " + rounded(verdict.value) + " away from its command; is it blocked?";
     case LoopReason::kGoalMissed:
-      return joint + " ended " + number(verdict.value) + " away from its goal; is it blocked?";
+      return joint + " ended " + rounded(verdict.value) + " away from its goal; is it blocked?";
     case LoopReason::kNoMeasurement:
-      return "no valid joint measurement for " + number(verdict.value) +
+      return "no valid joint measurement for " + rounded(verdict.value) +
              " s; check /joint_states, then reset";
     case LoopReason::kEmergencyStop:
       return "emergency stop; reset when it is safe";

@@ -10,8 +10,6 @@
 namespace goalnet::coordinator {
 namespace {
 
-TimeNs nanoseconds(double seconds) { return static_cast<TimeNs>(seconds * 1e9); }
-
 // Whether there is no point in trying the same thing again.
 bool is_final(Outcome outcome) {
   switch (outcome) {

@@ -7,8 +7,6 @@
 namespace goalnet::coordinator {
 namespace {
 
-TimeNs nanoseconds(double seconds) { return static_cast<TimeNs>(seconds * 1e9); }
-
 std::string quoted(const Action& action) { return "\"" + goalnet::to_string(action) + "\""; }
 
 // What makes two moments the same for the question "are we going in circles". Where the robot stands does not

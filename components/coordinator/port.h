@@ -12,6 +12,7 @@ namespace goalnet::coordinator {
 
 // Nanoseconds of the coordinator's clock. Never wall-clock time in simulation.
 using TimeNs = std::int64_t;
+inline TimeNs nanoseconds(double seconds) { return static_cast<TimeNs>(seconds * 1e9); }
 
 enum class Stage { kWaiting, kInferring, kPlanning, kActing, kStopping, kFinished };
 

@@ -14,6 +14,9 @@ using JointPath = std::vector<JointVector>;
 
 using IsFree = std::function<bool(const JointVector&)>;
 
+// How dense paths are made for timing: [s] at full speed between neighbouring points.
+inline constexpr double kPathSpacing = 0.02;
+
 // Rounds the corners of a polyline with parabolas that begin and end at most `reach` from the corner (in
 // units of `scale`, a weight per joint) and never beyond the middle of a leg. A parabola that is not free is
 // made smaller, down to nothing. The result is dense: neighbouring points are at most `spacing` apart. The

@@ -23,8 +23,8 @@ constexpr std::array kPulls{0.25, 0.15, 0.08, 0.04};   // [m]
 // raised a little first.
 std::vector<std::vector<Pose>> ways_out(const Workbench& bench, const Configuration& q, const Pose& tool,
                                         double distance) {
-  constexpr double kRaised = 0.025;  // [m]
-  const Pose raised = moved(tool, {0, 0, kRaised});
+  constexpr double kRise = 0.025;  // [m]
+  const Pose raised = moved(tool, {0, 0, kRise});
   std::vector<std::vector<Pose>> ways{{backed(tool, distance)}};
   const double yaw = bench.stand_of(q).yaw + std::numbers::pi;
   for (const double askew : {0.0, 0.5, -0.5, 1.0, -1.0}) {

@@ -14,10 +14,10 @@ using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
 constexpr double kOver[] = {0.05,
-                            0.11};  // [m] the lip above the receiver's mouth when things run: low is neat
-constexpr double kClear = 0.02;     // [m] everything else above it at any time
-constexpr double kUpright = 0.9;    // upward part of the axis of a mouth that things can be poured into
-constexpr double kBeyond = 0.20;    // [rad] more tilt than what makes contents run
+                            0.11};   // [m] the lip above the receiver's mouth when things run: low is neat
+constexpr double kPourClear = 0.02;  // [m] everything else above it at any time
+constexpr double kUpright = 0.9;     // upward part of the axis of a mouth that things can be poured into
+constexpr double kBeyond = 0.20;     // [rad] more tilt than what makes contents run
 constexpr std::size_t kReserveTag = 100'000;  // ways in reserve are numbered from here
 constexpr double kTiltStep = 0.20;            // [rad]
 constexpr double kLeaning = 0.3;              // [rad] less than an open vessel may lean on the way
@@ -62,7 +62,7 @@ std::vector<Gesture> pours(const scene::ObjectModel& model, const Vector3d& mout
                          model.cavity->radius * Vector3d(std::cos(lip_angle), std::sin(lip_angle), 0);
     const auto pose_at = [&](double heading, double tilt, double over) {
       const Pose low = leaning(mouth + Vector3d(0, 0, over), lip, heading, tilt, -lip_angle);
-      const double short_of = mouth.z() + kClear - lowest_height(model.shapes, low);
+      const double short_of = mouth.z() + kPourClear - lowest_height(model.shapes, low);
       return moved(low, {0, 0, std::max(0.0, short_of)});
     };
     if (reserve && std::abs(std::remainder(beside, 90.0)) > 1.0) continue;

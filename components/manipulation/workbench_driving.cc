@@ -8,8 +8,6 @@
 namespace goalnet::manipulation {
 namespace {
 
-constexpr double kSpacing = 0.02;  // [s] at full speed between points of a path
-
 double wrap(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 // While the base moves, what stands on its tray moves along.
@@ -74,7 +72,7 @@ Expected<JointTrajectory> Workbench::drive(const Stand& goal, int iterations) {
     error.message = "cannot drive there: " + error.message + (why.empty() ? "" : " (" + why + ")");
     return tl::unexpected<Error>(error);
   }
-  return time_path(limits, round_corners(*corners, path.scale, 0.6, kSpacing, path.is_free));
+  return time_path(limits, round_corners(*corners, path.scale, 0.6, kPathSpacing, path.is_free));
 }
 
 namespace {

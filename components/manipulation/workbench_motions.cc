@@ -9,7 +9,6 @@ namespace goalnet::manipulation {
 namespace {
 
 constexpr double kCornerReach = 0.25;  // [s] at full speed: how early corners of free motions are rounded
-constexpr double kSpacing = 0.02;      // [s] at full speed between points of a path
 
 }  // namespace
 
@@ -97,7 +96,7 @@ Expected<JointTrajectory> Workbench::move_arm(std::size_t arm, const ArmPosition
     }
     return tl::unexpected<Error>(error);
   }
-  return time_path(limits, round_corners(*corners, path.scale, kCornerReach, kSpacing, path.is_free));
+  return time_path(limits, round_corners(*corners, path.scale, kCornerReach, kPathSpacing, path.is_free));
 }
 
 std::optional<std::vector<ArmPositions>> Workbench::follow(const Configuration& q, std::size_t arm,
@@ -137,7 +136,7 @@ Expected<JointTrajectory> Workbench::move_straight(std::size_t arm, const std::v
   const TimedJoints limits = timed(joints, speed);
   JointPath path;
   for (const auto& p : *points) path.push_back(Eigen::Map<const JointVector>(p.data(), 7));
-  path = through_points(path, limits.velocity.cwiseInverse(), kSpacing);
+  path = through_points(path, limits.velocity.cwiseInverse(), kPathSpacing);
   // Between points at a limit the curve may swing beyond it by a hair.
   for (auto& q : path) {
     for (std::size_t i = 0; i < 7; ++i) {

@@ -8,6 +8,12 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 # Same source, same floating-point results on every optimisation level: repeatability is a feature.
 add_compile_options(-ffp-contract=off)
 
+# Five files of a target are compiled at once: most are short and share long headers, so a build from nothing takes
+# half as long. Names in their anonymous namespaces must differ within a target. -DCMAKE_UNITY_BUILD=OFF shows that
+# each file includes what it uses.
+option(CMAKE_UNITY_BUILD "Compile several files of a target at once" ON)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 5)
+
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
@@ -16,19 +22,14 @@ endif()
 set(GOALNET_WARNINGS -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 
-# goalnet_library(NAME [UNITY] SOURCES a.cc b.cc [DEPS targets...] [PRIVATE_DEPS targets...])
+# goalnet_library(NAME SOURCES a.cc b.cc [DEPS targets...] [PRIVATE_DEPS targets...])
 # Headers are included from the root: #include "components/core/predicate.h".
-# UNITY compiles five files at once: for many short ones that share long headers, in half of the time. Names in their
-# anonymous namespaces must differ.
 function(goalnet_library name)
-  cmake_parse_arguments(ARG "UNITY" "" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_compile_options(${name} PRIVATE ${GOALNET_WARNINGS})
   target_link_libraries(${name} PUBLIC ${ARG_DEPS} PRIVATE ${ARG_PRIVATE_DEPS})
-  if(ARG_UNITY)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
-  endif()
 endfunction()
 
 # goalnet_test(NAME SOURCES a_test.cc [DEPS targets...] [LABELS l...] [TIMEOUT s] [ENVIRONMENT K=V...])

@@ -29,8 +29,8 @@ constexpr double kTipped = 0.35;                 // of the tall things among tho
 constexpr double kTippedInPlace = 0.15;          // of the tall things that are pushed
 
 constexpr double kPush = 0.08, kPushInside = 0.03;  // [m] at most, on furniture and in it
-constexpr double kBetween = 0.01;                   // [m] between neighbours
-constexpr double kDrop = 0.003;                     // [m] above what a thing is put onto
+constexpr double kSpare = 0.01;                     // [m] between neighbours
+constexpr double kAbove = 0.003;                    // [m] above what a thing is put onto
 constexpr double kBesideFurniture = 0.06;           // [m] on the floor
 constexpr double kAroundRobot = 0.55;               // [m] free floor around its middle
 constexpr int kTries = 40;
@@ -148,8 +148,7 @@ class Mess {
       const bool lies = pose.linear()(2, 2) < 0.7;
       const Vector3d middle = pose * Vector3d(0, 0, lies ? model.height() / 2 : 0);
       const bool same_height = middle.z() < at.z() + height && at.z() < middle.z() + model.height();
-      if (same_height && (middle - at).head<2>().norm() < radius + cover(model, lies) + kBetween)
-        return false;
+      if (same_height && (middle - at).head<2>().norm() < radius + cover(model, lies) + kSpare) return false;
     }
     return true;
   }
@@ -160,7 +159,7 @@ class Mess {
       const Vector3d in = fixture.pose.inverse() * at;
       for (const auto& shape : fixture.shapes) {
         const auto box = scene::bounds({shape});
-        if (box.upper.z() < in.z() + kDrop || box.lower.z() > in.z() + height) continue;
+        if (box.upper.z() < in.z() + kAbove || box.lower.z() > in.z() + height) continue;
         const Vector2d nearest = in.cwiseMax(box.lower).cwiseMin(box.upper).head<2>();
         if ((nearest - in.head<2>()).norm() < radius) return true;
       }
@@ -172,7 +171,7 @@ class Mess {
   Pose pose_at(const Vector3d& spot, const ObjectModel& model, bool lying) {
     Pose pose = Pose::Identity();
     pose.linear() = AngleAxisd(between(-std::numbers::pi, std::numbers::pi), Vector3d::UnitZ()).matrix();
-    pose.translation() = spot + Vector3d(0, 0, kDrop);
+    pose.translation() = spot + Vector3d(0, 0, kAbove);
     if (!lying) return pose;
     pose.linear() = pose.linear() * AngleAxisd(std::numbers::pi / 2, Vector3d::UnitY()).matrix();
     pose.translation().z() += scene::bounds(model.shapes).upper.x();

@@ -8,7 +8,7 @@
 namespace goalnet::inference {
 namespace {
 
-constexpr std::size_t kMaxPieces = 1000000;
+constexpr std::size_t kMaxVocabulary = 1000000;
 constexpr std::size_t kLongestWord = 100;  // characters; longer ones are unknown, as in the original
 
 // The next code point of UTF-8 text, or -1 for a byte that starts none; `at` moves on.
@@ -89,7 +89,7 @@ Expected<WordPiece> WordPiece::parse(std::string_view vocabulary, const std::str
     std::string_view line = vocabulary.substr(begin, end - begin);
     if (line.ends_with('\r')) line.remove_suffix(1);
     result.pieces_.emplace(line, number++);
-    if (result.pieces_.size() > kMaxPieces)
+    if (result.pieces_.size() > kMaxVocabulary)
       return fail(Outcome::kInvalidRequest, name + " holds more than a million pieces");
     begin = end + 1;
   }

@@ -9,7 +9,7 @@ using namespace word_group;
 
 namespace {
 
-constexpr std::size_t kLongestSubject = 5;
+constexpr std::size_t kLongestTold = 5;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ bool ClauseParser::tells(std::size_t at, std::size_t stop) const {
   const bool pointer = one_of(first, kPointers) && reader_.starts(at + 1, stop);  // "that bowl too"
   if ((one_of(first, kSubjects) && !pointer) || language_.wish(first) != nullptr) return stop > at + 1;
   // the subject: "my back", "the kids", "guests", "half the family"
-  for (std::size_t i = at + 1; i < stop && i <= at + kLongestSubject; ++i) {
+  for (std::size_t i = at + 1; i < stop && i <= at + kLongestTold; ++i) {
     if (const std::size_t name = reader_.name_length(i); name > 1) {
       i += name - 1;  // "dry" of "the canada dry" is no verb
       continue;

@@ -12,14 +12,6 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
-namespace {
-
-bool ends_part(const std::vector<std::string>& words, std::size_t i) {
-  return i >= words.size() || words[i] == "." || words[i] == ",";
-}
-
-}  // namespace
-
 void resolve_headings(std::vector<std::string>& words, const Language& language) {
   constexpr std::size_t kLongestHeading = 5;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -10,7 +10,7 @@ using namespace word_group;
 
 namespace {
 
-constexpr std::size_t kLongestName = 4;  // words
+constexpr std::size_t kLongestCompound = 4;  // words
 
 }  // namespace
 
@@ -24,7 +24,7 @@ NounPhraseReader::NounPhraseReader(const Words& words, const Language& language,
     : words_(words), language_(language), lexicon_(lexicon), names_(words.text.size(), 0) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     std::string phrase;
-    for (std::size_t n = 1; n <= kLongestName && i + n <= names_.size(); ++n) {
+    for (std::size_t n = 1; n <= kLongestCompound && i + n <= names_.size(); ++n) {
       phrase += (n == 1 ? "" : " ") + words.text[i + n - 1];
       if (lexicon_.is_name(phrase) || language_.content(phrase) != symbol::kNone) names_[i] = n;
     }

@@ -10,10 +10,6 @@ namespace {
 
 constexpr int kMostSpellings = 12;  // of a sentence
 
-bool ends_part(const std::vector<std::string>& tokens, std::size_t i) {
-  return i >= tokens.size() || tokens[i] == "." || tokens[i] == ",";
-}
-
 }  // namespace
 
 void RobotLanguage::other_readings(const std::vector<std::string>& tokens, const FrameReader& reader,

@@ -14,10 +14,6 @@ using namespace word_group;
 
 namespace {
 
-bool ends_part(const std::vector<std::string>& words, std::size_t i) {
-  return i >= words.size() || words[i] == "." || words[i] == ",";
-}
-
 void erase(std::vector<std::string>& words, std::size_t from, std::size_t to) {
   words.erase(words.begin() + static_cast<long>(from), words.begin() + static_cast<long>(to));
 }

@@ -9,8 +9,6 @@ namespace {
 
 using namespace symbol;
 
-constexpr double kFar = 1000.0;
-
 }  // namespace
 
 const ObjectClass* Resolver::class_of(Symbol object) const {

@@ -19,6 +19,7 @@ enum class Sort : std::uint8_t { kAny, kMovable, kPlace, kDevice, kVessel };
 
 // How far things are from the robot, by name [m]; those not listed are farther than all.
 using Distances = std::map<std::string, double>;
+inline constexpr double kFar = 1000.0;  // [m] where the distance is not known
 
 // How sure the choice of objects was; what the confidence is made of.
 struct Doubts {

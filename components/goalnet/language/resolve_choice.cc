@@ -12,8 +12,6 @@ using namespace symbol;
 constexpr int kSlight = 1;        // a place by a word that names another one better
 constexpr int kFault = 2;         // of an adjective
 constexpr int kGraveFault = 100;  // names another object: wrong number, wrong content
-constexpr double kFar = 1000.0;
-
 }  // namespace
 
 int number_of(const std::string& name) {

@@ -18,7 +18,7 @@ constexpr std::array kOpeners = {
     "but"sv,    "as"sv,       "while"sv,  "before"sv,    "after"sv,  "when"sv,   "whenever"sv,
     "though"sv, "although"sv, "until"sv,  "till"sv,      "who"sv,    "which"sv,  "for"sv,
     "like"sv,   "if"sv,       "unless"sv, "otherwise"sv, "except"sv, "instead"sv};
-constexpr std::array kModals = {"can"sv, "could"sv, "would"sv, "will"sv, "might"sv};
+constexpr std::array kAskingModals = {"can"sv, "could"sv, "would"sv, "will"sv, "might"sv};
 constexpr std::array kShortened = {"im"sv,  "ive"sv,  "id"sv,     "ill"sv,   "were"sv, "weve"sv,
                                    "hes"sv, "shes"sv, "theyre"sv, "youre"sv, "youve"sv};
 // Before these a verb is no command of its own.
@@ -71,10 +71,10 @@ std::string PartReader::kind(const std::string& word) const {
 
 // "the kids are ...", "my mug broke": a subject and a verb follow.
 bool PartReader::tells(std::size_t i) const {
-  constexpr std::size_t kLongestSubject = 4;
+  constexpr std::size_t kLongestTeller = 4;
   if (!one_of(words_[i], kDeterminers) && !one_of(words_[i], kPossessives))
     return one_of(words_[i], kSubjects);
-  for (std::size_t k = i + 2; k < words_.size() && k <= i + kLongestSubject && !pauses(words_[k]); ++k)
+  for (std::size_t k = i + 2; k < words_.size() && k <= i + kLongestTeller && !pauses(words_[k]); ++k)
     if (language_.copula(words_[k]) || words_[k] == "'s") return true;
   return false;
 }
@@ -91,17 +91,18 @@ bool PartReader::begins(std::size_t i) const {
     std::size_t k = i + 1;
     while (k + 1 < words_.size() && (words_[k] == "then" || words_[k] == "also" || words_[k] == "please"))
       ++k;
-    return kinds_[k] == "DO" || kinds_[k] == "DOTHING" || one_of(words_[k], kModals) || tells(k) ||
+    return kinds_[k] == "DO" || kinds_[k] == "DOTHING" || one_of(words_[k], kAskingModals) || tells(k) ||
            language_.english_verb(words_[k]) || one_of(words_[k], kShortened);
   }
   if (one_of(before, kOpeners) || before == "and" || before == "then" || before == "please" ||
       before == "that")
     return false;
   if (word == "that") return one_of(next, kSubjects) || one_of(next, kPossessives);
-  if (one_of(word, kModals)) return next == "you" || next == "someone" || next == "somebody" || next == "we";
+  if (one_of(word, kAskingModals))
+    return next == "you" || next == "someone" || next == "somebody" || next == "we";
   if (one_of(word, kShortened)) return true;
   if (word == "i" || word == "we")
-    return !one_of(before, kModals) && before != "do" && before != "than" && before != "what" &&
+    return !one_of(before, kAskingModals) && before != "do" && before != "than" && before != "what" &&
            before != "where";
   const bool thing_behind = one_of(next, kDeterminers) || one_of(next, kPossessives) ||
                             one_of(next, kPointers) || is_pronoun(next) || next == "me" || next == "us";

@@ -15,16 +15,12 @@ using Sentence = std::vector<std::string>;
 
 constexpr std::size_t kLongestThing = 6;
 
-bool ends_part(const Sentence& words, std::size_t i) {
-  return i >= words.size() || words[i] == "." || words[i] == ",";
-}
-
 // What people say when they notice that something was wrong; `at` where it is not that. Some of it is said
 // elsewhere too and counts only with a pause behind it ("wait by the tv", "no syrup").
 std::size_t interjection(const Sentence& words, std::size_t at, bool& sure) {
-  static constexpr std::array kSure = {"sorry"sv, "oops"sv, "whoops"sv, "pardon"sv,   "hmm"sv, "hm"sv,
-                                       "er"sv,    "erm"sv,  "uh"sv,     "um"sv,       "eh"sv,  "err"sv,
-                                       "ehm"sv,   "uhm"sv,  "uhh"sv,    "actually"sv, "nope"sv};
+  static constexpr std::array kAlways = {"sorry"sv, "oops"sv, "whoops"sv, "pardon"sv,   "hmm"sv, "hm"sv,
+                                         "er"sv,    "erm"sv,  "uh"sv,     "um"sv,       "eh"sv,  "err"sv,
+                                         "ehm"sv,   "uhm"sv,  "uhh"sv,    "actually"sv, "nope"sv};
   static constexpr std::array kBeforeAPause = {"no"sv, "wait"sv, "nah"sv, "damn"sv};
   static constexpr std::array kUnsure = {"oh"sv, "ah"sv, "well"sv, "ok"sv, "okay"sv};
   static constexpr std::array<std::array<std::string_view, 2>, 9> kPairs = {{{"my", "bad"},
@@ -39,7 +35,7 @@ std::size_t interjection(const Sentence& words, std::size_t at, bool& sure) {
   if (at >= words.size()) return at;
   for (const auto& pair : kPairs)
     if (at + 1 < words.size() && words[at] == pair[0] && words[at + 1] == pair[1]) return sure = true, at + 2;
-  if (one_of(words[at], kSure)) return sure = true, at + 1;
+  if (one_of(words[at], kAlways)) return sure = true, at + 1;
   if (one_of(words[at], kBeforeAPause)) {
     bool more = false;
     const bool fits = ends_part(words, at + 1) || interjection(words, at + 1, more) != at + 1 ||

@@ -13,10 +13,6 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-bool ends_part(const std::vector<std::string>& words, std::size_t i) {
-  return i >= words.size() || words[i] == "." || words[i] == ",";
-}
-
 }  // namespace
 
 void resolve_endings(std::vector<std::string>& words, const Language& language) {
@@ -117,10 +113,10 @@ void drop_thrown_in(std::vector<std::string>& words, const Language& language) {
 
 // "what this coffee needs is a squirt of chocolate"
 void needs_first(std::vector<std::string>& words) {
-  constexpr std::size_t kLongestSubject = 5;
+  constexpr std::size_t kLongestAsked = 5;
   for (std::size_t i = 0; i + 3 < words.size(); ++i) {
     if (words[i] != "what" || !(i == 0 || ends_part(words, i - 1))) continue;
-    for (std::size_t k = i + 2; k + 1 < words.size() && k <= i + kLongestSubject; ++k)
+    for (std::size_t k = i + 2; k + 1 < words.size() && k <= i + kLongestAsked; ++k)
       if ((words[k] == "needs" || words[k] == "need" || words[k] == "wants" || words[k] == "lacks") &&
           words[k + 1] == "is" && words[i + 1] != "i" && words[i + 1] != "we" && words[i + 1] != "you") {
         words.erase(words.begin() + static_cast<long>(k) + 1);

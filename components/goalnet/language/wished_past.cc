@@ -24,10 +24,6 @@ bool comes_there(const std::vector<std::string>& words, std::size_t i) {
   return one_of(words[i], kCame) && i + 1 < words.size() && one_of(words[i + 1], kInto);
 }
 
-bool ends_part(const std::vector<std::string>& words, std::size_t i) {
-  return i >= words.size() || words[i] == "." || words[i] == ",";
-}
-
 // Where "before my sister starts talking" began that the word at `at` follows without a comma.
 bool behind_subordinate(const std::vector<std::string>& words, std::size_t at) {
   static constexpr std::array kBegins = {"before"sv, "until"sv, "while"sv, "when"sv, "because"sv, "since"sv};

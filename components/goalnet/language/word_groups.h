@@ -5,12 +5,18 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace goalnet::inference {
 
 template <std::size_t N>
 bool one_of(const std::string& word, const std::array<std::string_view, N>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Whether nothing follows at `i` that belongs to what stands before it.
+inline bool ends_part(const std::vector<std::string>& words, std::size_t i) {
+  return i >= words.size() || words[i] == "." || words[i] == ",";
 }
 
 namespace word_group {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/goalnet/network/index.h"
+
 namespace goalnet::inference::network {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool related(const EncodedWorld& world, GoalRelation relation, int main, int second) {
   const int type = relation == GoalRelation::kIn ? 2 : 0;

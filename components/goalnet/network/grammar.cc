@@ -4,13 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "components/goalnet/network/index.h"
+
 namespace goalnet::inference::network {
 namespace {
 
 constexpr std::array<std::string_view, kRelations> kNames = {"Near", "Grasping", "On", "In", "state"};
 constexpr std::size_t kMaxValues = 4096;  // bounds a hostile file
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 int position(const std::vector<std::string>& names, std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "components/goalnet/network/index.h"
+
 namespace goalnet::inference::network {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Grows a matrix, never shrinks it: so that a smaller world after a larger one allocates nothing.
 void reserve_rows(Matrix& matrix, Eigen::Index rows, Eigen::Index cols) {

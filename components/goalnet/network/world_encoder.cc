@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "components/goalnet/network/index.h"
+
 namespace goalnet::inference::network {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr float kSimilarityFloor = 0.3F;
 constexpr float kSenseFloor = 0.05F;

@@ -37,14 +37,14 @@ float expected_worth(const CandidateRun& run, const std::vector<Truth>& truths) 
 
 // Steps that enough of the truths hold. Fewer could not make up for what the step costs with all others.
 std::vector<SymAction> shared_steps(const std::vector<Truth>& truths) {
-  constexpr float kEnough = 0.25f;
+  constexpr float kBelieved = 0.25f;
   std::map<SymAction, float> share;
   for (const Truth& truth : truths)
     for (const SymAction& step : std::set<SymAction>(truth.run->macros.begin(), truth.run->macros.end()))
       share[step] += truth.belief;
   std::vector<SymAction> steps;
   for (const auto& [step, believed] : share)
-    if (believed >= kEnough) steps.push_back(step);
+    if (believed >= kBelieved) steps.push_back(step);
   return steps;
 }
 

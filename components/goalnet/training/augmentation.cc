@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "components/goalnet/network/index.h"
 #include "components/goalnet/network/name_table.h"
 #include "components/goalnet/tokenizer.h"
 
@@ -10,8 +11,6 @@ namespace goalnet::inference::training {
 namespace {
 
 constexpr float kSimilar = 0.35F;  // cosine of the classes' word vectors
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 int class_of(const Vocabulary& vocabulary, const std::string& name) {
   return vocabulary.lexicon.class_of(network::split_name(name).class_name);

@@ -25,7 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const int kDomain = program_domain(109);
+const int kReplayDomain = program_domain(109);
 
 struct Decoded {
   const idl::TypeSupport* support;
@@ -155,9 +155,9 @@ struct Replay : testing::Test {
 void Replay::run(const CaptureSet& set) {
   const auto samples = load_captures(set);
   EventLoop loop;
-  GoldenNode node(kDomain, set.distro, loop);
-  GoldenLifecycleNode lifecycle(kDomain, set.distro, loop);
-  auto context = make_context(kDomain, set.distro);
+  GoldenNode node(kReplayDomain, set.distro, loop);
+  GoldenLifecycleNode lifecycle(kReplayDomain, set.distro, loop);
+  auto context = make_context(kReplayDomain, set.distro);
   Listener listener(*context);
   for (const auto& sample : samples) {
     if (golden(sample) && sample.topic.starts_with("rt/") && sample.topic != "rt/chatter") {
@@ -171,7 +171,7 @@ void Replay::run(const CaptureSet& set) {
     const bool to_golden = sample.is_request() || sample.topic == "rt/cmd";
     if (to_golden) {
       auto& client = clients[sample.node];
-      if (!client) client = std::make_unique<CapturedClient>(kDomain, sample.id.writer);
+      if (!client) client = std::make_unique<CapturedClient>(kReplayDomain, sample.id.writer);
       if (sample.is_request()) {
         ++requests;
         asked.push_back(&sample);
@@ -232,7 +232,7 @@ TEST_F(Replay, JazzyExchanges) { run(kJazzyCaptures); }
 // ros_discovery_info of real participants, through DDS into our graph.
 TEST_F(Replay, DiscoverySamplesFillTheGraph) {
   for (const CaptureSet& set : {kHumbleCaptures, kJazzyCaptures}) {
-    auto context = make_context(kDomain, set.distro);
+    auto context = make_context(kReplayDomain, set.distro);
     std::map<std::string, std::unique_ptr<CapturedClient>> participants;
     std::map<std::string, std::vector<std::string>> said;  // by participant: what it said last
     int compared = 0;
@@ -240,7 +240,7 @@ TEST_F(Replay, DiscoverySamplesFillTheGraph) {
       if (sample.topic != "ros_discovery_info") continue;
       const std::string key(sample.id.writer.begin(), sample.id.writer.begin() + 12);
       auto& participant = participants[key];
-      if (!participant) participant = std::make_unique<CapturedClient>(kDomain, sample.id.writer);
+      if (!participant) participant = std::make_unique<CapturedClient>(kReplayDomain, sample.id.writer);
       ASSERT_TRUE(participant->publish(sample));
       said[key].clear();
       const auto message = detail::decode_graph(sample.payload, set.distro);

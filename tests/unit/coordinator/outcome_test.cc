@@ -8,12 +8,12 @@ namespace {
 
 using testing::HasSubstr;
 
-const FactSet kStart = facts({"(On Mug_1 Counter_1)"});
+const FactSet kMugOnCounter = facts({"(On Mug_1 Counter_1)"});
 
 struct Outcomes : testing::Test {
   void start(CoordinatorParams params = {}) {
     play.emplace(params);
-    play->world_now(kStart);
+    play->world_now(kMugOnCounter);
     ASSERT_TRUE(play->instruct("put the mug in the sink"));
   }
   void start_acting(CoordinatorParams params = {}) {
@@ -147,7 +147,7 @@ TEST_F(Outcomes, StepLimit) {
 
 TEST_F(Outcomes, GoingInCirclesEnds) {
   play.emplace();
-  play->world_now(kStart);
+  play->world_now(kMugOnCounter);
   ASSERT_TRUE(play->instruct("juggle the mug"));
   const auto once = [&] {
     play->infer(goal({"(Grasping Robot Mug_1)"}));
@@ -224,7 +224,7 @@ TEST_F(Outcomes, WorldStaleInMotionStopsTheRobot) {
 TEST_F(Outcomes, WorldStaleWhenTheSimulatorStartsAgain) {
   start_acting();
   play->now = kSecond / 2;  // its clock begins anew
-  play->world_now(kStart);
+  play->world_now(kMugOnCounter);
   EXPECT_EQ(play->port.cancels.size(), 1u);
   play->finish_action(Outcome::kCancelled);
   expect_end(Outcome::kWorldStale, "time jumped back");
@@ -234,7 +234,7 @@ TEST_F(Outcomes, WorldStaleWhenTheSimulatorStartsAgain) {
 
 TEST_F(Outcomes, AWorldFromBeforeTheInstructionDoesNotCount) {
   play.emplace();
-  play->world_now(kStart);
+  play->world_now(kMugOnCounter);
   ASSERT_TRUE(play->coordinator.instruct("put the mug in the sink", 0, play->now));
   EXPECT_EQ(play->report().stage, Stage::kWaiting);
   play->silence(10.5);

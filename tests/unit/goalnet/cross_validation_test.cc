@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "components/goalnet/random.h"
 #include "components/goalnet/ranker/confidence.h"
@@ -14,39 +12,24 @@
 namespace goalnet::inference {
 namespace {
 
-LanguageTexts language() {
-  std::ifstream file(GOALNET_SOURCE_DIR "/config/language/household.json");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return {text.str(), "", ""};
-}
+LanguageTexts language() { return {household_words(), "", ""}; }
 
 // People who take things, by one of several verbs; every seventh says nothing but the thing.
-std::vector<Demonstration> people() {
+std::vector<Demonstration> takers() {
   const char* verbs[] = {"take", "grab", "get", "lift", "hold", "fetch"};
-  const char* objects[][2] = {{"Mug_1", "mug"}, {"Kettle", "kettle"}, {"Plate_1", "plate"}};
+  const std::vector<Thing> things = {{"Mug_1", "mug"}, {"Kettle", "kettle"}, {"Plate_1", "plate"}};
   std::vector<Demonstration> all;
-  Symbols symbols;
   for (int i = 0; i < 42; ++i) {
-    const auto& [object, word] = objects[i % 3];
-    Demonstration d;
-    d.scenario = std::to_string(i / 2);
-    d.id = d.scenario + "_" + std::to_string(i);
-    d.perturbed = i % 10 == 9;
-    d.sentence = i % 7 == 6 ? std::string(word) : std::string(verbs[i % 6]) + " the " + word;
-    std::vector<Predicate> facts;
-    for (const auto& [name, spoken] : objects)
-      facts.push_back({"IsGraspable", name, ""}), facts.push_back({"On", name, "Counter_1"});
-    d.states.push_back({{"Counter_1", "Kettle", "Mug_1", "Plate_1", "Robot"}, FactSet(facts)});
-    d.actions = {std::string("moveto ") + object, std::string("grasp ") + object};
-    play_actions(d, symbols);
-    all.push_back(d);
+    const Thing& thing = things[static_cast<std::size_t>(i % 3)];
+    all.push_back(
+        taken(things, thing, i / 2, i, i % 7 == 6 ? thing.word : verbs[i % 6] + (" the " + thing.word)));
+    all.back().perturbed = i % 10 == 9;
   }
   return all;
 }
 
 TEST(Folds, TestEachScenarioOnceAndNeverTrainOnIt) {
-  const auto all = people();
+  const auto all = takers();
   const auto folds = make_folds(all, FoldBy::kScenario, 4, 7, language());
   ASSERT_TRUE(folds);
   std::multiset<std::size_t> tested;
@@ -65,7 +48,7 @@ TEST(Folds, TestEachScenarioOnceAndNeverTrainOnIt) {
 }
 
 TEST(Folds, ByVerbNeverTrainOnAVerbThatIsTested) {
-  const auto all = people();
+  const auto all = takers();
   const auto folds = make_folds(all, FoldBy::kVerb, 3, 7, language());
   ASSERT_TRUE(folds);
   std::size_t tested = 0;
@@ -85,7 +68,7 @@ TEST(Folds, ByVerbNeverTrainOnAVerbThatIsTested) {
 }
 
 TEST(CrossValidation, GivesTheSameScoresWithAnyNumberOfThreads) {
-  const auto all = people();
+  const auto all = takers();
   const auto folds = make_folds(all, FoldBy::kScenario, 2, 7, language());
   ASSERT_TRUE(folds);
   CrossValidationOptions options;

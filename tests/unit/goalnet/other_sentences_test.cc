@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 #include "components/core/config_path.h"
 #include "components/goalnet/evaluation.h"
@@ -68,23 +67,12 @@ TEST(OtherSentences, SayWhichLineIsWrongAndHow) {
 
 // People who take what they are told to take.
 std::vector<Demonstration> people() {
-  const char* objects[][2] = {{"Mug_1", "mug"}, {"Kettle", "kettle"}, {"Plate_1", "plate"}};
+  const std::vector<Thing> things = {{"Mug_1", "mug"}, {"Kettle", "kettle"}, {"Plate_1", "plate"}};
   std::vector<Demonstration> all;
-  Symbols symbols;
   for (int i = 0; i < 24; ++i) {
-    const auto& [object, word] = objects[i % 3];
-    Demonstration d;
-    d.scenario = std::to_string(i / 2);
-    d.id = d.scenario + "_" + std::to_string(i);
-    d.sentence = "take " + std::string(word);
-    d.grounding = {{word, {object}}};
-    std::vector<Predicate> facts;
-    for (const auto& [name, spoken] : objects)
-      facts.push_back({"IsGraspable", name, ""}), facts.push_back({"On", name, "Counter_1"});
-    d.states.push_back({{"Counter_1", "Kettle", "Mug_1", "Plate_1", "Robot"}, FactSet(facts)});
-    d.actions = {std::string("moveto ") + object, std::string("grasp ") + object};
-    play_actions(d, symbols);
-    all.push_back(d);
+    const Thing& thing = things[static_cast<std::size_t>(i % 3)];
+    all.push_back(taken(things, thing, i / 2, i, "take " + thing.word));
+    all.back().grounding = {{thing.word, {thing.name}}};
   }
   return all;
 }
@@ -108,12 +96,9 @@ TEST(OtherSentences, MustFitTheDemonstrations) {
 // Mean SJI by cross-validation when `sentence` makes something of every recorded word.
 double tested_with(bool grounding, const std::function<std::string(const std::string& word)>& sentence) {
   const auto all = people();
-  std::ifstream file(config_path("language/household.json"));
-  std::ostringstream text;
-  text << file.rdbuf();
   CrossValidationOptions options;
   options.grounding = grounding;
-  options.training.language = {text.str(), "", ""};
+  options.training.language = {household_words(), "", ""};
   options.training.rerank = false;
   options.training.ranker.training.epochs = 8;
   options.training.ranker.samples = 8;

@@ -14,18 +14,11 @@
 namespace goalnet::inference {
 namespace {
 
-std::string language() {
-  std::ifstream file(GOALNET_SOURCE_DIR "/config/language/household.json");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 const char* kObjects[] = {"Mug_1", "Kettle", "Glass_1", "Plate_1", "Spoon_1", "Bowl_1"};
 const char* kWords[] = {"mug", "kettle", "glass", "plate", "spoon", "bowl"};
 
 // Made-up people who take what they are told to take, or put it into the sink.
-std::vector<Demonstration> people() {
+std::vector<Demonstration> takers_and_putters() {
   std::vector<Demonstration> all;
   for (int i = 0; i < 36; ++i) {
     const std::string object = kObjects[i % 6], word = kWords[i % 6];
@@ -51,13 +44,13 @@ std::vector<Demonstration> people() {
 
 RankerParts trained(bool rerank) {
   TrainingOptions options;
-  options.language.household = language();
+  options.language.household = household_words();
   options.command = "goalnet train people -o model";
   options.rerank = rerank;
   options.ranker.training.epochs = 8;
   options.ranker.samples = 10;
   options.progress = {};
-  auto parts = train(people(), options);
+  auto parts = train(takers_and_putters(), options);
   EXPECT_TRUE(parts) << parts.error().message;
   return std::move(*parts);
 }
@@ -98,7 +91,7 @@ TEST_F(RankerFile, TrainingIsBitIdenticalAndSurvivesTheFile) {
 
 TEST_F(RankerFile, LearnsWhatPeopleDo) {
   RankerModel model(trained(false), ModelUse::kBenchmark);
-  const auto world = people()[0].states[0];
+  const auto world = takers_and_putters()[0].states[0];
   std::vector<WorldState> states = {world};
   std::vector<Goal> goals;
   for (const char* want :
@@ -121,7 +114,7 @@ TEST_F(RankerFile, LearnsWhatPeopleDo) {
 }
 
 TEST_F(RankerFile, AnswersDoNotDependOnWhatWasAskedBefore) {
-  const auto world = people()[0].states[0];
+  const auto world = takers_and_putters()[0].states[0];
   const std::vector<WorldState> states = {world};
   const StepInput grab{.sentence = "grab the spoon", .grounding = nullptr, .states = states, .goals = {}};
   const StepInput put{
@@ -165,9 +158,9 @@ TEST_F(RankerFile, DamagedFilesAreRefusedWithOneMessage) {
 
 TEST_F(RankerFile, TrainingCanBeStopped) {
   TrainingOptions options;
-  options.language.household = language();
+  options.language.household = household_words();
   options.progress = [](const std::string&, double) { return false; };
-  EXPECT_EQ(train(people(), options).error().outcome, Outcome::kCancelled);
+  EXPECT_EQ(train(takers_and_putters(), options).error().outcome, Outcome::kCancelled);
 }
 
 }  // namespace

@@ -20,24 +20,12 @@ std::string content(const std::string& path) {
 }
 
 // People who take one of two things.
-std::vector<Demonstration> people() {
+std::vector<Demonstration> mug_or_kettle() {
+  const std::vector<Thing> things = {{"Mug_1", "mug"}, {"Kettle", "kettle"}};
   std::vector<Demonstration> all;
-  Symbols symbols;
   for (int i = 0; i < 24; ++i) {
-    const bool mug = i % 3 != 0;
-    Demonstration d;
-    d.scenario = std::to_string(i / 2);
-    d.id = d.scenario + "_" + std::to_string(i);
-    d.sentence = std::string(i % 2 == 0 ? "take" : "grab") + " the " + (mug ? "mug" : "kettle");
-    d.states.push_back({{"Counter_1", "Kettle", "Mug_1", "Robot"},
-                        FactSet({{"IsGraspable", "Kettle", ""},
-                                 {"IsGraspable", "Mug_1", ""},
-                                 {"On", "Kettle", "Counter_1"},
-                                 {"On", "Mug_1", "Counter_1"}})});
-    const std::string object = mug ? "Mug_1" : "Kettle";
-    d.actions = {"moveto " + object, "grasp " + object};
-    play_actions(d, symbols);
-    all.push_back(d);
+    const Thing& thing = things[i % 3 != 0 ? 0 : 1];
+    all.push_back(taken(things, thing, i / 2, i, (i % 2 == 0 ? "take the " : "grab the ") + thing.word));
   }
   return all;
 }
@@ -49,7 +37,7 @@ class Resume : public testing::Test {
     std::string name = testing::TempDir() + "goalnet_resume_XXXXXX";
     ASSERT_NE(mkdtemp(name.data()), nullptr);
     folder_ = name;
-    options_.language.household = content(GOALNET_SOURCE_DIR "/config/language/household.json");
+    options_.language.household = household_words();
     options_.ranker.training.epochs = 3;
     options_.ranker.samples = 5;
     options_.checkpoint = path("checkpoint");
@@ -68,7 +56,7 @@ class Resume : public testing::Test {
 TEST_F(Resume, GivesTheSameModelWhereverItWasStopped) {
   TrainingOptions once = options_;
   once.checkpoint.clear();
-  const auto whole = train(people(), once);
+  const auto whole = train(mug_or_kettle(), once);
   ASSERT_TRUE(whole) << whole.error().message;
   EXPECT_FALSE(whole->given.reranker.empty()) << "a training without trees would test little";
   // Each attempt is stopped a little later than the one before: in a policy, in pools, in the trees.
@@ -79,7 +67,7 @@ TEST_F(Resume, GivesTheSameModelWhereverItWasStopped) {
       if (first < 0) first = done;
       return done < until;
     };
-    const auto stopped = train(people(), options_);
+    const auto stopped = train(mug_or_kettle(), options_);
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().outcome, Outcome::kCancelled);
     begins.push_back(first);
@@ -88,20 +76,20 @@ TEST_F(Resume, GivesTheSameModelWhereverItWasStopped) {
   EXPECT_GT(begins.back(), 0.4)
       << "what was computed is not computed again (but for the trees, which are quick)";
   options_.progress = {};
-  const auto resumed = train(people(), options_);
+  const auto resumed = train(mug_or_kettle(), options_);
   ASSERT_TRUE(resumed) << resumed.error().message;
   EXPECT_TRUE(bytes_of(*resumed) == bytes_of(*whole));
 }
 
 TEST_F(Resume, RefusesTheCheckpointOfAnotherTraining) {
   options_.progress = [](const std::string&, double done) { return done < 0.3; };
-  ASSERT_FALSE(train(people(), options_));
+  ASSERT_FALSE(train(mug_or_kettle(), options_));
   ASSERT_TRUE(std::filesystem::exists(options_.checkpoint));
-  auto others = people();
+  auto others = mug_or_kettle();
   others.pop_back();
   auto other = options_;
   other.ranker.training.seed = 2;
-  for (const auto& result : {train(others, options_), train(people(), other)}) {
+  for (const auto& result : {train(others, options_), train(mug_or_kettle(), other)}) {
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().outcome, Outcome::kInvalidRequest);
     EXPECT_NE(result.error().message.find("another training"), std::string::npos) << result.error().message;
@@ -110,11 +98,11 @@ TEST_F(Resume, RefusesTheCheckpointOfAnotherTraining) {
 
 TEST_F(Resume, SaysThatACheckpointIsDamaged) {
   options_.progress = [](const std::string&, double done) { return done < 0.3; };
-  ASSERT_FALSE(train(people(), options_));
+  ASSERT_FALSE(train(mug_or_kettle(), options_));
   const std::string good = content(options_.checkpoint);
   ASSERT_GT(good.size(), 100u);
   std::ofstream(options_.checkpoint, std::ios::binary | std::ios::trunc) << good.substr(0, good.size() - 40);
-  const auto result = train(people(), options_);
+  const auto result = train(mug_or_kettle(), options_);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().outcome, Outcome::kInvalidRequest);
   EXPECT_NE(result.error().message.find("--fresh"), std::string::npos) << result.error().message;

@@ -7,7 +7,7 @@
 namespace goalnet::planner {
 namespace {
 
-const char* const kDomain =
+const char* const kMinimal =
     "(define (domain nuts) (:requirements :typing)\n"
     "(:types spanner nut place)\n"
     "(:predicates (at ?s - spanner ?p - place) (held ?s - spanner) (used ?s - spanner) (tight ?n - nut)\n"
@@ -23,7 +23,7 @@ const char* const kDomain =
 // `spanners` of them lie on the way to the gate, where as many nuts wait; the first fits only the first nut
 // if `odd`. Not all can be left behind, and which of them is used for which nut does not matter.
 Expected<Plan> solve_nuts(int spanners, bool odd) {
-  std::string text = kDomain;
+  std::string text = kMinimal;
   text.insert(text.find("(:predicates"), "(:constants gate - place)\n");
   const auto domain = parse_domain(text + ")", "nuts");
   if (!domain) return tl::unexpected(domain.error());

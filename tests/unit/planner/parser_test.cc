@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const char* const kDomain =
+const char* const kRoom =
     "(define (domain room) (:requirements :adl :action-costs)\n"
     "(:types cup table - thing)\n"
     "(:constants desk - table)\n"
@@ -35,7 +35,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(DomainParser, ReadsAWholeDomain) {
-  const auto domain = parse_domain(kDomain, "room.pddl");
+  const auto domain = parse_domain(kRoom, "room.pddl");
   ASSERT_TRUE(domain) << domain.error().message;
   EXPECT_EQ(domain->actions.size(), 1u);
   EXPECT_EQ(domain->actions[0].cost.constant, 2);
@@ -43,9 +43,7 @@ TEST(DomainParser, ReadsAWholeDomain) {
 }
 
 TEST(DomainParser, NamesWhatIsWrongAndWhere) {
-  const auto with = [](const char* from, const char* to) {
-    return domain_error(replaced(kDomain, from, to));
-  };
+  const auto with = [](const char* from, const char* to) { return domain_error(replaced(kRoom, from, to)); };
   EXPECT_THAT(with(":adl", ":durative-actions"),
               HasSubstr("1:38: requirement ':durative-actions' is not supported"));
   EXPECT_THAT(with(":adl", ":preferences"), HasSubstr("':preferences' is not supported"));
@@ -113,14 +111,14 @@ TEST(DomainParser, TakesWhatPeopleWrite) {
 // Before there was :action-costs, who wanted a total-cost asked for numbers.
 TEST(DomainParser, TakesTheNumbersOfPlanCosts) {
   for (const char* requirement : {":fluents", ":numeric-fluents"}) {
-    const auto domain = parse_domain(replaced(kDomain, ":adl", requirement), "d");
+    const auto domain = parse_domain(replaced(kRoom, ":adl", requirement), "d");
     EXPECT_TRUE(domain) << domain.error().message;
   }
 }
 
 TEST(DomainParser, IgnoresTheByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";
-  const auto domain = parse_domain(mark + kDomain, "d");
+  const auto domain = parse_domain(mark + kRoom, "d");
   ASSERT_TRUE(domain) << domain.error().message;
   const auto problem = parse_problem(
       mark + "(define (problem p) (:domain room) (:objects 7 - cup) (:goal (on 7 desk)))", "p", *domain);
@@ -142,7 +140,7 @@ TEST(DomainParser, SurvivesHostileText) {
 }
 
 std::string problem_error(const std::string& text) {
-  const auto domain = parse_domain(kDomain, "room.pddl");
+  const auto domain = parse_domain(kRoom, "room.pddl");
   const auto problem = parse_problem(text, "p.pddl", *domain);
   if (problem) return "parsed";
   EXPECT_THAT(problem.error().message, StartsWith("p.pddl:"));
@@ -166,7 +164,7 @@ TEST(ProblemParser, NamesWhatIsWrongAndWhere) {
 }
 
 TEST(ProblemParser, TakesAMillionObjects) {
-  const auto domain = parse_domain(kDomain, "room.pddl");
+  const auto domain = parse_domain(kRoom, "room.pddl");
   std::string text = "(define (problem p) (:domain room) (:objects";
   for (int i = 0; i < 1'000'000; ++i) text += " c" + std::to_string(i);
   const auto problem = parse_problem(text + " - cup) (:init) (:goal (on c7 desk)))", "p.pddl", *domain);

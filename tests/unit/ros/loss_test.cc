@@ -29,17 +29,17 @@ using eprosima::fastrtps::types::ReturnCode_t;
 using eprosima::fastrtps::xmlparser::XMLProfileManager;
 using SteadyClock = std::chrono::steady_clock;
 
-const int kDomain = program_domain(60);
+const int kLossDomain = program_domain(60);
 constexpr std::uint32_t kMessages = 300;
 
 // Set up as ours are, but for the transport.
 struct Bare {
   explicit Bare(std::shared_ptr<rtps::TransportDescriptorInterface> transport) {
     detail::ParticipantSettings settings;
-    settings.domain_id = kDomain;
+    settings.domain_id = kLossDomain;
     auto qos = detail::participant_qos(settings);
     qos.transport().user_transports = {std::move(transport)};
-    participant = factory().create_participant(kDomain, qos);
+    participant = factory().create_participant(kLossDomain, qos);
     dds::TypeSupport type(new detail::MessageType("loss_test"));
     type.register_type(participant);
     topic = participant->create_topic("rt/loss", "loss_test", dds::TOPIC_QOS_DEFAULT);

@@ -12,12 +12,13 @@ using testing::HasSubstr;
 
 const LaunchSurroundings kSurroundings{"/bin/goalnet", {"simulator", "planner"}, "/usr/bin:/bin"};
 
-Expected<LaunchPlan> parse(const std::string& text, const std::map<std::string, std::string>& given = {}) {
+Expected<LaunchPlan> parse_launch(const std::string& text,
+                                  const std::map<std::string, std::string>& given = {}) {
   return parse_launch(text, "x.yaml", "/folder", given, kSurroundings);
 }
 
 TEST(LaunchFile, ComponentsBecomeCommands) {
-  const auto plan = parse(R"(
+  const auto plan = parse_launch(R"(
 arguments: {scene: kitchen, space: /robot1}
 namespace: ${space}
 use_sim_time: true
@@ -27,7 +28,7 @@ processes:
   simulator: {component: simulator, parameters: {scene: "${scene}", seed: 3}, restart: never}
   brain: {component: planner, remap: {/plan: /my_plan}, environment: {A: y, B: z}, required: false}
 )",
-                          {{"scene", "living_room"}});
+                                 {{"scene", "living_room"}});
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->patience, 1.5);
   ASSERT_EQ(plan->processes.size(), 2u);
@@ -47,7 +48,7 @@ processes:
 
 TEST(LaunchFile, CommandsAreFoundInThePath) {
   const auto plan =
-      parse("processes: {say: {command: [sh, -c, 'echo 1'], restart: {when: always, limit: 2}}}");
+      parse_launch("processes: {say: {command: [sh, -c, 'echo 1'], restart: {when: always, limit: 2}}}");
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_THAT(plan->processes[0].command, ElementsAre(testing::EndsWith("/sh"), "-c", "echo 1"));
   EXPECT_EQ(plan->processes[0].restart.limit, 2);
@@ -84,14 +85,14 @@ TEST(LaunchFile, SlipsAreNamedWithTheirLine) {
       {"processes: {a: [}", "this is no YAML"},
   };
   for (const auto& [text, message] : kSlips) {
-    const auto plan = parse(text);
+    const auto plan = parse_launch(text);
     ASSERT_FALSE(plan) << text;
     EXPECT_EQ(plan.error().outcome, Outcome::kInvalidRequest) << text;
     EXPECT_THAT(plan.error().message, HasSubstr(message)) << text;
     EXPECT_THAT(plan.error().message, testing::StartsWith("x.yaml")) << text;
   }
   const auto unknown =
-      parse("arguments: {scene: a}\nprocesses: {a: {component: planner}}", {{"scenes", "b"}});
+      parse_launch("arguments: {scene: a}\nprocesses: {a: {component: planner}}", {{"scenes", "b"}});
   ASSERT_FALSE(unknown);
   EXPECT_THAT(unknown.error().message, HasSubstr("there is no argument 'scenes'; this file has: scene"));
 }
@@ -112,7 +113,7 @@ TEST(LaunchFile, ThoseThatAreShippedAreSound) {
 }
 
 TEST(LaunchFile, SaysWhichComponentsAreWatchedForSilence) {
-  const auto plan = parse(
+  const auto plan = parse_launch(
       "restart: {silent_after: 20}\nnamespace: /robot1\nprocesses:\n"
       "  thinker: {component: planner}\n"
       "  world: {component: simulator, namespace: /, restart: {silent_after: 0}}\n"
@@ -124,7 +125,7 @@ TEST(LaunchFile, SaysWhichComponentsAreWatchedForSilence) {
   EXPECT_EQ(plan->processes[1].node, "/world");
   EXPECT_EQ(plan->processes[1].restart.silent_after, 0.0);
   EXPECT_EQ(plan->processes[2].node, "") << "not a component: nobody to ask";
-  const auto bad = parse("restart: {silent_after: -1}\nprocesses:\n  a: {component: planner}\n");
+  const auto bad = parse_launch("restart: {silent_after: -1}\nprocesses:\n  a: {component: planner}\n");
   ASSERT_FALSE(bad);
   EXPECT_THAT(bad.error().message, HasSubstr("silent_after"));
 }

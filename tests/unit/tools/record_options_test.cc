@@ -9,18 +9,18 @@ namespace {
 using testing::HasSubstr;
 
 template <class Parse>
-auto parse(Parse function, std::vector<std::string> words) {
+auto parse_words(Parse function, std::vector<std::string> words) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   return function(static_cast<int>(arguments.size()), arguments.data());
 }
 auto record(std::vector<std::string> words) {
   words.insert(words.begin(), "goalnet record");
-  return parse(parse_record_options, std::move(words));
+  return parse_words(parse_record_options, std::move(words));
 }
 auto replay(std::vector<std::string> words) {
   words.insert(words.begin(), "goalnet replay");
-  return parse(parse_replay_options, std::move(words));
+  return parse_words(parse_replay_options, std::move(words));
 }
 
 TEST(RecordOptions, AsRos2BagTakesThem) {

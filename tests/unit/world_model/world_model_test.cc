@@ -18,7 +18,7 @@ using test::default_robot;
 using test::kitchen;
 using test::TestWorld;
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 std::vector<std::string> facts_about(const FactSet& facts, const std::string& relation) {
   std::vector<std::string> found;
@@ -86,7 +86,8 @@ TEST(WorldModel, AMugOnItsSideIsStillOnTheSurface) {
   TestWorld world;
   world.put_on("Mug_1", "Sink");
   world.pose("Mug_1").translation().z() += 0.0402;
-  world.pose("Mug_1").linear() = Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  world.pose("Mug_1").linear() =
+      Eigen::AngleAxisd(kHalfTurn / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
   world.look();
   EXPECT_TRUE(world.holds("On Mug_1 Sink"));
 }
@@ -156,12 +157,13 @@ TEST(WorldModel, DoesNotFlickerAtTheBorder) {
                     }),
             1);
   EXPECT_LE(changes("Near Robot Sink",
-                    [&](TestWorld& world) { world.drive_to(-0.2, 2.0 - 0.95 + noise(0.03), kPi / 2); }),
+                    [&](TestWorld& world) { world.drive_to(-0.2, 2.0 - 0.95 + noise(0.03), kHalfTurn / 2); }),
             1);
-  EXPECT_LE(
-      changes("state SinkKnob TapIsOn",
-              [&](TestWorld& world) { world.joint("SinkKnob_joint") = 45.0 * kPi / 180.0 + noise(0.1); }),
-      1);
+  EXPECT_LE(changes("state SinkKnob TapIsOn",
+                    [&](TestWorld& world) {
+                      world.joint("SinkKnob_joint") = 45.0 * kHalfTurn / 180.0 + noise(0.1);
+                    }),
+            1);
   EXPECT_LE(changes("Held Mug_1 LeftHand",
                     [&](TestWorld& world) {
                       world.grip_mug("left", "Mug_1");
@@ -198,19 +200,19 @@ TEST(WorldModel, NearIsCloseAndInFront) {
   EXPECT_TRUE(world.holds("Near Robot Counter_1"));
   EXPECT_FALSE(world.holds("Near Robot Salt_1"));  // at the other end of the counter
   EXPECT_FALSE(world.holds("Near Robot Sink"));
-  world.drive_to(mug.x() - 0.7, mug.y(), kPi);  // its back to them
+  world.drive_to(mug.x() - 0.7, mug.y(), kHalfTurn);  // its back to them
   world.look();
   EXPECT_FALSE(world.holds("Near Robot Mug_1"));
   EXPECT_FALSE(world.holds("Near Robot Counter_1"));
 
-  world.drive_to(-0.2, 2.0 - 0.6, kPi / 2 + 2.0 * kPi);  // a yaw that has turned around
+  world.drive_to(-0.2, 2.0 - 0.6, kHalfTurn / 2 + 2.0 * kHalfTurn);  // a yaw that has turned around
   world.look();
   EXPECT_TRUE(world.holds("Near Robot Sink"));
   EXPECT_TRUE(world.holds("Near Robot SinkKnob"));  // belongs to the sink
   EXPECT_FALSE(world.holds("Near Robot Microwave"));
   world.drive_to(0, 0, 0);
   world.look();
-  world.drive_to(-1.5, 2.0 - 0.6, kPi / 2);
+  world.drive_to(-1.5, 2.0 - 0.6, kHalfTurn / 2);
   world.look();
   EXPECT_TRUE(world.holds("Near Robot Stove"));
   EXPECT_TRUE(world.holds("Near Robot StoveFire_3"));
@@ -300,7 +302,8 @@ TEST(WorldModel, ThingsOnAndInOtherThings) {
 
   // A spoon that leans in a mug: its handle stands out.
   const Eigen::Vector3d glass = world.pose("Glass_1").translation();
-  scene::Pose spoon = scene::make_pose({glass.x(), glass.y(), glass.z() + 0.10}, {0, kPi / 2 - 0.15, 0});
+  scene::Pose spoon =
+      scene::make_pose({glass.x(), glass.y(), glass.z() + 0.10}, {0, kHalfTurn / 2 - 0.15, 0});
   world.pose("Spoon_1") = spoon;
   world.look_for(0.1);
   EXPECT_TRUE(world.holds("In Spoon_1 Glass_1"));
