@@ -118,8 +118,13 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
     clause.phrases.push_back(it);
     return i + 1;
   }
-  if (language_.hears_people() && word == "first" && !clause.phrases.empty() && ends_here(i + 1, end))
-    return i + 1;  // "fill it first"
+  if (language_.hears_people() && word == "first" && !clause.phrases.empty() && ends_here(i + 1, end)) {
+    if (clause.phrases.front().pronoun && !result_.clauses.empty() && clause.mood == Mood::kCommand &&
+        result_.clauses.back().mood == Mood::kCommand && clause.condition.empty() &&
+        conditional_.condition.empty())
+      insert_before_ = result_.clauses.size() - 1;  // "put it in the sink, but empty it first"
+    return i + 1;                                   // "fill it first"
+  }
   if (word == "here") {
     clause.to_person = true;
     return i + 1;

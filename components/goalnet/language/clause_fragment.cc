@@ -20,7 +20,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   bool polite = false;
   for (const std::string& word : words_)
     polite = polite || word == "please" || word == "now" || word == "quick" || word == "asap" ||
-             word == "thank" || (word == "thanks" && language_.hears_people());
+             (word == "fast" && language_.hears_people()) || word == "thank" ||
+             (word == "thanks" && language_.hears_people());
   const auto only_harmless_from = [&](std::size_t from) {
     std::size_t k = from;
     if (NounPhrase purpose; k < end && words_[k] == "for") {

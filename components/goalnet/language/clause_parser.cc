@@ -82,6 +82,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   const std::size_t joined = at;
   at = skip_joins(at, end);
   if (at >= end) return at;
+  if (at > joined) first_of_all(joined, at, end);
   if (NounPhrase none; language_.hears_people() && at > joined && words_[at - 1] == "no" &&
                        !result_.clauses.empty() && reader_.name_length(at) > 0) {
     const std::size_t done = reader_.read(at, end, none);  // "..., no syrup": is left out anyway
@@ -192,7 +193,8 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   static constexpr std::array kOught = {"can"sv,  "should"sv, "must"sv,   "may"sv,  "could"sv,
                                         "goes"sv, "has"sv,    "belong"sv, "needs"sv};
   const bool that_ought =
-      at + 2 < end && words_[at + 1] == "that" && (one_of(words_[at + 2], kOught) || words_[at + 2] == "one");
+      at + 2 < end && words_[at + 1] == "that" &&
+      (one_of(words_[at + 2], kOught) || words_[at + 2] == "one" || that_thing_ought(at + 1, end));
   const bool purpose = at + 1 < end && !that_ought &&
                        (words_[at + 1] == "that" || words_[at + 1] == "i" || words_[at + 1] == "we" ||
                         words_[at + 1] == "nobody");

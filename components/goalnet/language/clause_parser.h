@@ -102,6 +102,8 @@ class ClauseParser {
   bool tells(std::size_t at, std::size_t stop) const;
   std::size_t skip_part(std::size_t at, std::size_t end) const;  // to the next comma or the end
 
+  void first_of_all(std::size_t joined, std::size_t at, std::size_t end);
+  bool that_thing_ought(std::size_t at, std::size_t end) const;
   bool opens_command(std::size_t at, std::size_t end) const;
   bool told_on(std::size_t at, std::size_t end) const;
   bool starts_clause(std::size_t at, std::size_t end) const;

@@ -40,6 +40,16 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         continue;
       }
     }
+    // "must come off the couch"
+    if (language_.hears_people() && word == "off" && desired && !negative &&
+        clause.mood == Mood::kStatement && reader_.read(i + 1, end, place, true) != i + 1 && !place.person &&
+        !place.unknown) {
+      i = reader_.read(i + 1, end, place, true);
+      clause.mood = Mood::kCommand, clause.frame = Frame::kTake, clause.verb = "take";
+      place.role = Role::kSource;
+      clause.phrases.push_back(place);
+      continue;
+    }
     if (clause.mood == Mood::kCommand)
       if (const std::size_t done = instead_of(i, end, clause); done != i) {
         i = done;

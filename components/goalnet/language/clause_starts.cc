@@ -1,4 +1,6 @@
 // Where a command or another clause may begin, and what stands before it.
+#include <algorithm>
+
 #include "components/goalnet/language/clause_parser.h"
 #include "components/goalnet/language/word_groups.h"
 
@@ -54,6 +56,28 @@ bool ClauseParser::told_on(std::size_t at, std::size_t end) const {
   return language_.hears_people() && at > 0 && words_[at - 1] == "and" && opens_command(at, end) &&
          reader_.name_length(at) == 0 && language_.participle(words_[at]) && !words_[at].ends_with("ing") &&
          !result_.clauses.empty() && result_.clauses.back().mood == Mood::kStatement;
+}
+
+// "(put the mug in the sink,) but first empty it": what is said behind "first" is done before.
+void ClauseParser::first_of_all(std::size_t joined, std::size_t at, std::size_t end) {
+  const auto said = [&](const char* word) {
+    return std::find(words_.begin() + static_cast<long>(joined), words_.begin() + static_cast<long>(at),
+                     word) != words_.begin() + static_cast<long>(at);
+  };
+  if (language_.hears_people() && said("first") && said("but") && opens_command(at, end) &&
+      !result_.clauses.empty() && result_.clauses.back().mood == Mood::kCommand)
+    insert_before_ = result_.clauses.size() - 1;
+}
+
+// "(so) that coffee has to go", "that coke needs to be in the fridge": points at a thing; "so that the
+// coffee stays hot" says why.
+bool ClauseParser::that_thing_ought(std::size_t at, std::size_t end) const {
+  if (!language_.hears_people() || at + 1 >= end || reader_.name_length(at + 1) == 0) return false;
+  for (std::size_t i = at + 1 + reader_.name_length(at + 1); i + 1 < end && words_[i] != ","; ++i)
+    if (words_[i] == "must" || words_[i] == "should" || one_of(words_[i], kDesire) ||
+        ((words_[i] == "has" || words_[i] == "have") && words_[i + 1] == "to"))
+      return true;
+  return false;
 }
 
 bool ClauseParser::starts_clause(std::size_t at, std::size_t end) const {

@@ -80,7 +80,9 @@ class Filler {
         things = places = false;
         break;
       }
-      const bool furniture = lexicon_.is_place_name(phrase.phrase);
+      static constexpr std::array kBins = {"bin"sv, "trash"sv, "garbage"sv, "rubbish"sv};  // "coke, trash"
+      const bool bin = begin > 0 && one_of(phrase.phrase, kBins) && done == end;
+      const bool furniture = lexicon_.is_place_name(phrase.phrase) || bin;
       things = things || !furniture, places = places || furniture;
       k = done;
       if (rest_is_small(k)) break;

@@ -127,7 +127,8 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
       if (word == "one" && !determined && !last_thing_.empty() &&
           (i + 1 >= end || language_.joins(words_.text[i + 1]) || words_.text[i + 1] == "please" ||
            (language_.hears_people() &&
-            (place_preposition(words_.text[i + 1]) || words_.text[i + 1] == "for")) ||
+            (place_preposition(words_.text[i + 1]) || words_.text[i + 1] == "for" ||
+             words_.text[i + 1] == "there" || words_.text[i + 1] == "here")) ||
            ((words_.text[i + 1] == "in" || words_.text[i + 1] == "on") &&
             (i + 2 >= end || language_.joins(words_.text[i + 2]))))) {  // "get me one"
         phrase.phrase = phrase.word = last_thing_;

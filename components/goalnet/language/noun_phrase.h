@@ -84,6 +84,7 @@ class NounPhraseReader {
   std::size_t relative(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t bears(std::size_t at, std::size_t end, NounPhrase& phrase, bool stranded = false) const;
   std::size_t lacks(std::size_t at, std::size_t end, NounPhrase& phrase) const;
+  bool leads_part(std::size_t at) const;
   std::size_t of(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t floor(std::size_t at,
                     std::size_t end) const;  // behind "off the floor"; `at` where it is not that

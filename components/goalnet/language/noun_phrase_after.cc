@@ -49,6 +49,15 @@ std::size_t NounPhraseReader::of(std::size_t i, std::size_t end, NounPhrase& phr
   return done;
 }
 
+// Whether the place before `at` is what its part begins with: "into the bin with the chips".
+bool NounPhraseReader::leads_part(std::size_t at) const {
+  std::size_t k = at;
+  while (k > 0 && !place_preposition(words_.text[k - 1]) && words_.text[k - 1] != "," &&
+         words_.text[k - 1] != ".")
+    --k;
+  return k < 2 || words_.text[k - 2] == "," || words_.text[k - 2] == ".";
+}
+
 std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& phrase) const {
   for (int round = 0; round < 4 && i < end; ++round) {
     const std::string& word = words_.text[i];
@@ -107,7 +116,8 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
         continue;
       }
     }
-    if (phrase.everything && (word == "is" || word == "are")) {  // "whatever is on the stove"
+    const bool whatever = !language_.hears_people() || phrase.word != "everything";  // "everything is warm"
+    if (phrase.everything && whatever && (word == "is" || word == "are")) {  // "whatever is on the stove"
       const std::size_t done = relative(i, end, phrase);
       if (done == i) return i;
       i = done;
@@ -148,6 +158,23 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
         on_it.where = Where::kUnder;
         phrase.at.push_back(on_it);
         i = done + 2;
+        continue;
+      }
+    }
+    // "on the shelf with the plate", "... with the other one"
+    if (NounPhrase beside; language_.hears_people() && word == "with" &&
+                           lexicon_.is_place_name(phrase.phrase) && phrase.definite && in_place_ &&
+                           i + 1 < end && words_.text[i + 1] == "the" && !leads_part(i)) {
+      const bool outer = in_place_;
+      in_place_ = false;  // "one" is no place
+      const std::size_t done = read(i + 1, end, beside);
+      in_place_ = outer;
+      if (done != i + 1 && !beside.person && !beside.unknown && !beside.bare() && !beside.pronoun &&
+          language_.content(beside.phrase) == symbol::kNone &&
+          (done >= end || language_.joins(words_.text[done]))) {
+        beside.where = Where::kUnder;
+        phrase.at.push_back(beside);
+        i = done;
         continue;
       }
     }

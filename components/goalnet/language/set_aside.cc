@@ -85,7 +85,8 @@ bool RobotLanguage::asks_for_unknown(const std::vector<std::string>& tokens, con
   while (last < part.end && (one_of(tokens[last], kSome) || language_->describes(tokens[last]))) ++last;
   const bool of_unknown = last > object && last + 1 == part.end && !language_->known(tokens[last]) &&
                           (language_->real_word(tokens[last]) || !language_->kind_of(tokens[last]).empty());
-  if (!plain || one_of(verb, kCourtesy) || one_of(verb, kTurnsRequest)) return false;
+  if (!plain || one_of(verb, kCourtesy) || one_of(verb, kTurnsRequest) || one_of(verb, kPastForms))
+    return false;
   // "clean my car"; but "take a break", "hold the line" say nothing of things
   static constexpr std::array kDone = {Frame::kWash,   Frame::kHeat,  Frame::kBoil,   Frame::kOpen,
                                        Frame::kClose,  Frame::kFill,  Frame::kPour,   Frame::kEmpty,

@@ -65,7 +65,8 @@ void expand_contractions(std::vector<std::string>& words, const Language& langua
     const bool state =
         language.wanted_by_state(next) != Frame::kNone || language.complaint(next) != Frame::kNone;
     const bool thing_behind = i + 2 < words.size() && language.names_thing(words[i + 2]);
-    if (!one_of(next, kBehindItIs) && (!state || thing_behind)) continue;
+    const bool doing = next.size() > 5 && next.ends_with("ing") && !thing_behind;  // "its melting"
+    if (!one_of(next, kBehindItIs) && !doing && (!state || thing_behind)) continue;
     words[i] = "it";
     words.insert(words.begin() + static_cast<long>(i) + 1, "is");
   }

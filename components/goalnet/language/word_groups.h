@@ -76,6 +76,13 @@ inline constexpr std::array kTurns = {"correction"sv, "do_that"sv, "hint"sv, "wi
 inline constexpr std::array kPeopleDo = {"sit"sv,   "rest"sv,  "play"sv, "cook"sv, "bake"sv,
                                          "stand"sv, "clean"sv, "wash"sv, "bring"sv};
 
+// What was ("been a long day", "had a terrible night"): no order begins so.
+inline constexpr std::array kPastForms = {
+    "been"sv,   "had"sv,   "spent"sv,  "lost"sv,   "got"sv,    "felt"sv,     "slept"sv, "woke"sv,
+    "ate"sv,    "went"sv,  "came"sv,   "broke"sv,  "forgot"sv, "was"sv,      "ran"sv,   "met"sv,
+    "saw"sv,    "drove"sv, "fell"sv,   "missed"sv, "worked"sv, "finished"sv, "burnt"sv, "stayed"sv,
+    "walked"sv, "made"sv,  "bought"sv, "heard"sv,  "took"sv,   "left"sv};
+
 inline constexpr std::array kPossessives = {"my"sv, "your"sv, "his"sv, "her"sv, "our"sv, "their"sv};
 
 // Behind verbs; before clauses that hang on others.

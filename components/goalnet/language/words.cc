@@ -6,6 +6,7 @@
 #include "components/goalnet/language/slips.h"
 #include "components/goalnet/language/spoken_forms.h"
 #include "components/goalnet/language/ways_of_saying.h"
+#include "components/goalnet/language/word_order.h"
 #include "components/goalnet/lexicon.h"
 #include "components/goalnet/tokenizer.h"
 
@@ -100,6 +101,34 @@ bool is_sound(const std::string& word, bool hears_people) {
          letters.find_first_of("aeiouy0123456789") == std::string::npos;
 }
 
+// Brings what is said as people say it into the order that the grammar reads.
+void in_usual_order(std::vector<std::string>& text, const Language& language) {
+  drop_repetitions(text, language);
+  drop_false_starts(text, language);
+  ask_for_any(text, language);
+  part_run_ons(text, language);
+  drop_lead_ins(text, language);
+  mark_retractions(text, language);
+  keep_the_contrast(text, language);
+  say_what_was_left_undone(text, language);
+  say_what_is_not_heard(text, language);
+  wish_what_is_far(text, language);
+  turn_on_what_is_to_be_seen(text, language);
+  put_where_wanted(text, language);
+  counts_said_after(text, language);
+  numbers_said_after(text, language);
+  descriptions_said_after(text, language);
+  subjects_first(text, language);
+  uncleave(text, language);
+  let_it_go(text, language);
+  verbs_first(text, language);
+  wished_things_last(text, language);
+  name_what_comes_last(text, language);
+  spell_out_steps(text, language);
+  join_thing_and_place(text, language);
+  put_it_there(text, language);
+}
+
 }  // namespace
 
 Words normal_words(const std::vector<std::string>& tokens, const Language& language) {
@@ -110,6 +139,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     resolve_headings(mended, language);
     resolve_endings(mended, language);
   }
+  if (language.hears_people()) drop_tags(mended, language);
   if (language.hears_people()) part_numbers(mended, language);
   drop_numbering(mended);
   move_blanks(mended, language, words.corrected);
@@ -141,6 +171,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     }
   }
   if (language.hears_people()) {
+    in_usual_order(text, language);
     mark_slips(text, language);
     drop_thrown_in(text, language);
     drop_relative_parts(text, language);
@@ -159,6 +190,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   text.insert(text.begin(), ".");
   text = language.rewrite(std::move(text), kMaxAfterRewriting);
   if (language.hears_people()) wished_past(text);
+  if (language.hears_people()) supply_what_lacks(text, language);
   if (language.hears_people()) join_pauses(text);
   join_wishes(text);
   for (std::string& word : text) {

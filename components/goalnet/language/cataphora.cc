@@ -1,0 +1,37 @@
+// "put it in the fridge once you have emptied it, the mug": what "it" is, is said at the end.
+#include "components/goalnet/language/language.h"
+#include "components/goalnet/language/noun_phrase.h"
+#include "components/goalnet/language/word_groups.h"
+#include "components/goalnet/language/word_order.h"
+#include "components/goalnet/language/word_spans.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+void name_what_comes_last(Sentence& words, const Language& language) {
+  const WordSpans spans(words, language);
+  std::size_t end = words.size();
+  while (end > 0 && (words[end - 1] == "." || words[end - 1] == "please")) --end;
+  if (end < 4) return;
+  const std::size_t begin = spans.part_begin(end - 1);
+  if (begin < 3 || words[begin - 1] != "," || spans.things(begin) != end || words[end - 1] == "one" ||
+      words[end - 1] == "ones" ||
+      !(one_of(words[begin], kArticles) || one_of(words[begin], kPointers) || words[begin] == "both"))
+    return;
+  for (std::size_t i = 0; i < begin; ++i) {
+    // what is named before is meant by "it"; a place may be named before, where this is none
+    if (spans.name(i) > 0 && !language.names_place(words[i]) && !language.names_place(singular(words[i])))
+      return;
+    if (language.names_place(words[i]) && language.names_place(words[end - 1])) return;
+    if (words[i] != "it" && words[i] != "them" && words[i] != "they") continue;
+    if (i + 1 < begin && words[i] == "it" && spans.is_one(i + 1, {"is", "was"}))
+      return;  // "it is me, the mug"
+    const Sentence named = cut(words, begin, end);
+    replace(words, begin - 1, end, {});
+    replace(words, i, i + 1, named);
+    return;
+  }
+}
+
+}  // namespace goalnet::inference

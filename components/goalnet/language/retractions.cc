@@ -1,0 +1,71 @@
+// What is taken back as a whole: "turn on the stove, never mind that, turn on the microwave".
+#include "components/goalnet/language/language.h"
+#include "components/goalnet/language/word_order.h"
+#include "components/goalnet/language/word_spans.h"
+
+namespace goalnet::inference {
+namespace {
+
+// Behind what takes back, between pauses: "(oh) never mind (that)"; `at` where it is not that.
+std::size_t taken_back(const WordSpans& spans, std::size_t at) {
+  std::size_t i = spans.skip_small(at);
+  while (spans.is_one(i, {"wait", "sorry", "nah", "nope", "no", "hmm", "er", "actually"}))
+    i = spans.skip_small(i + 1);
+  const std::size_t done = spans.phrase(i, {"never mind",
+                                            "never mind that",
+                                            "never mind it",
+                                            "never mind about that",
+                                            "nevermind",
+                                            "nevermind that",
+                                            "forget it",
+                                            "forget that",
+                                            "forget about it",
+                                            "forget about that",
+                                            "forget i said that",
+                                            "scrap that",
+                                            "scrap it",
+                                            "scratch that",
+                                            "cancel that",
+                                            "cancel it",
+                                            "ignore that",
+                                            "drop that",
+                                            "strike that",
+                                            "skip that",
+                                            "skip it",
+                                            "leave it",
+                                            "leave that",
+                                            "do not bother",
+                                            "dont bother",
+                                            "do not",
+                                            "dont"});
+  return done != i && spans.ends(done) ? done : at;
+}
+
+}  // namespace
+
+void mark_retractions(Sentence& words, const Language& language) {
+  for (std::size_t at = 1; at < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(at)) continue;
+    const std::size_t done = taken_back(spans, at);
+    if (done == at || !spans.orders(0, at - 1)) continue;
+    std::size_t next = done;
+    while (next < words.size() && spans.ends(next)) ++next;
+    const bool leave = words[done - 2] == "leave";  // "take the book, leave it, ..." may speak of the book
+    const std::size_t end = spans.part_end(next);
+    bool anew = spans.orders(next, end);
+    if (leave) anew = anew && (spans.is_one(next, {"just", "rather"}) || spans.is(end - 1, "instead"));
+    if (anew) {
+      replace(words, at, next, {"correction", ","});
+    } else if (next >= words.size() && !leave) {
+      // nothing is left of it
+      std::size_t order = 0;
+      while (order < at && !spans.order(order)) ++order;
+      words = cut(words, order, at - 1);
+      words.insert(words.begin(), "not");
+      return;
+    }
+  }
+}
+
+}  // namespace goalnet::inference

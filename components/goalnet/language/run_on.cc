@@ -1,0 +1,140 @@
+// What is said in one breath: pauses where the grammar needs them.
+#include <algorithm>
+#include <array>
+
+#include "components/goalnet/language/language.h"
+#include "components/goalnet/language/noun_phrase.h"
+#include "components/goalnet/language/word_groups.h"
+#include "components/goalnet/language/word_order.h"
+#include "components/goalnet/language/word_spans.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+namespace {
+
+// Behind these a clause hangs on what stands before it.
+constexpr std::array kHangsOn = {
+    "that"sv,  "which"sv,  "who"sv,     "where"sv,  "when"sv,    "if"sv,       "because"sv,
+    "while"sv, "until"sv,  "till"sv,    "before"sv, "after"sv,   "once"sv,     "unless"sv,
+    "so"sv,    "and"sv,    "but"sv,     "or"sv,     "how"sv,     "what"sv,     "why"sv,
+    "say"sv,   "says"sv,   "said"sv,    "think"sv,  "sure"sv,    "know"sv,     "hope"sv,
+    "see"sv,   "hear"sv,   "whether"sv, "as"sv,     "than"sv,    "since"sv,    "though"sv,
+    "like"sv,  "tell"sv,   "wish"sv,    "guess"sv,  "believe"sv, "whenever"sv, "wherever"sv,
+    "not"sv,   "ensure"sv, "check"sv,   "is"sv,     "are"sv,     "was"sv,      "for"sv};
+constexpr std::array kBe = {"is"sv,   "are"sv, "was"sv,   "were"sv, "has"sv,
+                            "have"sv, "am"sv,  "hurts"sv, "hurt"sv, "aches"sv};
+
+bool hangs_at(const Sentence& words, std::size_t at) { return one_of(words[at], kHangsOn); }
+
+bool hangs(const Sentence& words, std::size_t from, std::size_t at) {
+  for (std::size_t i = from; i < at; ++i)
+    if (hangs_at(words, i)) return true;
+  return false;
+}
+
+// "can you put ...", "could you please bring ..." in the middle of a part.
+bool asks_anew(const Sentence& words, const WordSpans& spans, const Language& language, std::size_t at) {
+  if (!spans.is_one(at, {"can", "could", "would", "will"}) || !spans.is(at + 1, "you") ||
+      spans.is_one(at - 1, {"please", "just", "maybe", "hey", "hi", "hello", "robot", "then", "also"}))
+    return false;
+  const std::size_t verb = spans.skip_small(at + 2);
+  return verb < words.size() && language.verb(words[verb]) != Frame::kNone;
+}
+
+// Whether a clause that only tells something begins at `at`, inside a part that asks: "it is melting", "my
+// show is starting".
+bool tells_from(const Sentence& words, const WordSpans& spans, std::size_t at, bool behind_name) {
+  if (at + 2 >= words.size() || spans.ends(at + 1)) return false;
+  const bool being = spans.is_one(at + 1, {"is", "are", "has", "was", "were"});
+  if (spans.is_one(at, {"it", "they", "he", "she"})) return being;
+  if (spans.is_one(at, {"i", "we"}) && spans.name(spans.part_begin(at)) == at - spans.part_begin(at))
+    return spans.is_one(at + 1,
+                        {"forgot", "need", "want", "have", "lost", "am", "are"});  // "salt i forgot the salt"
+  if (spans.is_one(at, {"i", "we"}))
+    return spans.is_one(at + 1, {"am", "are"}) && !(behind_name && words[at + 2].ends_with("ing"));
+  if (behind_name || !spans.is_one(at, {"my", "our", "the", "his", "her"})) return false;
+  // "on the shelf is ..." goes on
+  if (spans.is_one(at - 1, {"on", "off", "up", "down", "back", "away"})) return false;
+  return (at + 2 < words.size() && one_of(words[at + 2], kBe)) ||
+         (at + 3 < words.size() && !spans.ends(at + 2) && one_of(words[at + 3], kBe));
+}
+
+// A name, or a small word with which a short request ends: "fridge it is ...", "spoon quick the soup is ...".
+bool request_may_end(const WordSpans& spans, std::size_t last) {
+  return spans.is_one(last, {"please", "now", "quick", "quickly", "fast", "off", "on", "back", "up", "down",
+                             "here", "away", "again", "asap", "immediately"});
+}
+
+}  // namespace
+
+void drop_tags(Sentence& words, const Language& language) {
+  static constexpr std::array kNot = {"isnt"sv,  "arent"sv,   "wasnt"sv,  "doesnt"sv,  "dont"sv,
+                                      "didnt"sv, "hasnt"sv,   "havent"sv, "cant"sv,    "couldnt"sv,
+                                      "wont"sv,  "wouldnt"sv, "aint"sv,   "shouldnt"sv};
+  static constexpr std::array kWho = {"it"sv, "they"sv, "he"sv, "she"sv, "you"sv, "we"sv, "i"sv, "there"sv};
+  for (std::size_t i = 1; i + 1 < words.size();) {
+    const WordSpans spans(words, language);
+    const std::size_t joke = spans.phrase(i, {"get it", "got it", "geddit", "get the joke"});
+    if (joke != i && spans.ends(joke) && i > 1 && words[i - 1] == "," &&
+        spans.is_one(i - 2, {"ha", "haha", "hehe", "lol", "hah"})) {
+      replace(words, i - 1, joke, {});
+      continue;
+    }
+    const bool tag =
+        spans.ends(i - 1) && one_of(words[i], kNot) && one_of(words[i + 1], kWho) && spans.ends(i + 2);
+    if (tag)
+      replace(words, i - 1, i + 2, {});
+    else
+      ++i;
+  }
+}
+
+void part_run_ons(Sentence& words, const Language& language) {
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    const WordSpans spans(words, language);
+    if (spans.ends(i) || spans.ends(i - 1)) continue;
+    std::size_t begin = spans.part_begin(i);
+    for (std::size_t k = begin; k + 1 < i; ++k)
+      if (spans.is_one(k, {"so", "but", "and"})) begin = k + 1;
+    // "I forgot the salt can you put some in the bowl"
+    if (asks_anew(words, spans, language, i) && !hangs_at(words, i - 1)) {
+      words.insert(words.begin() + static_cast<long>(i), ",");
+      continue;
+    }
+    // "that is slow so ramen in the bowl"
+    if (words[i] == "so" && spans.thing(i + 1) != i + 1 &&
+        spans.place(spans.thing(i + 1)) != spans.thing(i + 1) &&
+        !spans.is_one(spans.place(spans.thing(i + 1)),
+                      {"is", "are", "has", "have", "can", "stays", "should"})) {
+      words.insert(words.begin() + static_cast<long>(i), ",");
+      continue;
+    }
+    const bool name_before = spans.name(i - 1) > 0 || number_word(words[i - 1]) > 0;
+    if (!name_before && !request_may_end(spans, i - 1)) continue;
+    bool pause = tells_from(words, spans, i, name_before) && !hangs(words, begin, i);
+    // "in the sink no in the fridge", "burner one no burner two"
+    if (words[i] == "no" && name_before && !hangs(words, begin, i)) {
+      const bool again =
+          one_of(words[i + 1], kArticles) || spans.place(i + 1) != i + 1 ||
+          std::find(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i),
+                    words[i + 1]) != words.begin() + static_cast<long>(i);
+      if (again) {
+        replace(words, i, i + 1, {",", "no", ","});
+        continue;
+      }
+    }
+    // "ramen in the bowl water in it": the next thing and its place
+    if (!pause && spans.name(i) > 0 && name_before &&
+        spans.thing(spans.skip_small(begin)) != spans.skip_small(begin)) {
+      const std::size_t first = spans.thing(spans.skip_small(begin)), after = spans.place(first);
+      const std::size_t second = i + spans.name(i);
+      pause = after == i && after != first && second < words.size() && place_preposition(words[second]) &&
+              !spans.ends(second + 1);
+    }
+    if (pause) words.insert(words.begin() + static_cast<long>(i), ",");
+  }
+}
+
+}  // namespace goalnet::inference

@@ -1,0 +1,113 @@
+// What belongs into a phrase and is said behind it: its number, how many, what tells it apart.
+#include <algorithm>
+
+#include "components/goalnet/language/language.h"
+#include "components/goalnet/language/noun_phrase.h"
+#include "components/goalnet/language/word_groups.h"
+#include "components/goalnet/language/word_order.h"
+#include "components/goalnet/language/word_spans.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+// "on the fire place of the stove, the number three" -> "on the fire place three of the stove"
+void numbers_said_after(Sentence& words, const Language& language) {
+  for (std::size_t at = 2; at + 1 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (words[at - 1] != ",") continue;
+    const std::size_t number = spans.phrase(at, {"number", "the number", "nr", "no"});
+    if (number == at || number >= words.size() || number_word(words[number]) == 0 ||
+        number_word(words[number]) > 6 || !spans.ends(spans.skip_small(number + 1)))
+      continue;
+    const std::size_t begin = spans.part_begin(at - 2);
+    std::size_t name_end = begin;
+    for (std::size_t i = begin; i + 1 < at; ++i) {
+      const std::size_t length = spans.name(i);
+      if (length == 0 || (i > begin && i > 1 && (words[i - 1] == "of" || words[i - 2] == "of"))) continue;
+      name_end = i + length;
+      i += length - 1;
+    }
+    if (name_end == begin || number_word(words[name_end]) > 0) continue;
+    const std::string said = words[number];
+    replace(words, at - 1, number + 1, {});
+    words.insert(words.begin() + static_cast<long>(name_end), said);
+  }
+}
+
+// "the discs both of them i want them on the desk" -> "both the discs , i want them on the desk"
+void counts_said_after(Sentence& words, const Language& language) {
+  for (std::size_t at = 1; at + 2 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (!spans.is_one(at, {"both", "all"})) continue;
+    std::size_t of = at + 1;
+    const bool counted = of < words.size() && number_word(words[of]) > 0;
+    if (counted) ++of;
+    const std::size_t done = spans.phrase(of, {"of them", "of those", "of these"});
+    if (done == of) continue;
+    const std::size_t thing_end = spans.ends(at - 1) ? at - 1 : at, begin = spans.part_begin(thing_end - 1);
+    const std::size_t thing = spans.skip_small(begin);
+    if (thing_end == 0 || !one_of(words[thing], kArticles) || spans.thing(thing) != thing_end) continue;
+    Sentence said = {words[at]};
+    const Sentence named = cut(words, thing, thing_end);
+    said.insert(said.end(), named.begin(), named.end());
+    if (!spans.ends(done)) said.emplace_back(",");
+    replace(words, thing, done, said);
+  }
+}
+
+// "her armchair, it is the only one without a pillow" -> "her armchair without a pillow"
+void descriptions_said_after(Sentence& words, const Language& language) {
+  for (std::size_t at = 2; at + 3 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (words[at - 1] != ",") continue;
+    const std::size_t one =
+        spans.phrase(at, {"it is the one", "it is the only one", "that is the one", "that is the only one"});
+    if (one == at || spans.ends(one)) continue;
+    std::size_t noun = at - 2;
+    while (noun > 0 && !spans.ends(noun - 1) && spans.thing(noun - 1) == at - 1) --noun;
+    const bool told =
+        spans.thing(noun) == at - 1 && (one_of(words[noun], kArticles) || one_of(words[noun], kPointers));
+    const std::size_t from = spans.phrase(one, {"that is", "which is", "that has", "which has"});
+    const std::size_t place =
+        spans.is_one(from, {"without", "with"}) ? spans.thing(from + 1) : spans.place(from);
+    if (!told || place == from) continue;
+    replace(words, at - 1, from, {});
+  }
+}
+
+// "Book. Any book.", "a plate any plate": one of them is asked for
+void ask_for_any(Sentence& words, const Language& language) {
+  for (std::size_t at = 1; at + 1 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    const std::size_t any = spans.phrase(at, {"any", "either", "whichever", "any of the", "either of the"});
+    if (any == at || spans.name(any) == 0) continue;
+    const std::size_t end = any + spans.name(any);
+    if (!spans.ends(spans.skip_small(end))) continue;
+    const std::size_t before = spans.ends(at - 1) ? at - 1 : at;
+    if (before == 0) continue;
+    std::size_t name = before - 1;
+    while (name > 0 && !spans.ends(name - 1) && spans.name(name - 1) == before - (name - 1)) --name;
+    const bool same = singular(words[before - 1]) == singular(words[end - 1]) && spans.name(name) > 0;
+    const bool stove =
+        spans.is_one(before - 1, {"stove", "cooker", "hob"}) && singular(words[any]) == "burner";
+    if (!same && !stove) continue;
+    std::size_t from = name;
+    while (from > 0 && !spans.ends(from - 1) &&
+           (one_of(words[from - 1], kArticles) || spans.is_one(from - 1, {"some", "one", "either", "any"})))
+      --from;
+    if (words[at - 1] == "," && spans.is_one(from, {"a", "an", "some"})) continue;  // "a book, any book, ..."
+    const Sentence said = {"any", singular(words[end - 1])};
+    replace(words, from, end, said);
+  }
+  const WordSpans spans(words, language);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+    if (spans.begins(i) && words[i] == "any" && spans.name(i + 1) > 0 &&
+        spans.ends(spans.skip_small(i + 1 + spans.name(i + 1))) && !spans.names(0, i) &&
+        !spans.orders(0, words.size())) {
+      words.insert(words.begin() + static_cast<long>(i), "wish");
+      return;
+    }
+}
+
+}  // namespace goalnet::inference
