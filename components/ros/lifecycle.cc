@@ -11,7 +11,7 @@
 namespace goalnet::ros {
 namespace {
 
-namespace srv = lifecycle_msgs::srv;
+namespace lifecycle_srv = lifecycle_msgs::srv;
 
 lifecycle_msgs::msg::State to_message(LifecycleState state) {
   lifecycle_msgs::msg::State message;
@@ -36,11 +36,11 @@ struct Lifecycle::Impl {
   LifecycleCallbacks callbacks;
   LifecycleState state = LifecycleState::kUnconfigured;
   std::shared_ptr<Publisher<lifecycle_msgs::msg::TransitionEvent>> events;
-  std::unique_ptr<Server<srv::ChangeState>> change_state;
-  std::unique_ptr<Server<srv::GetState>> get_state;
-  std::unique_ptr<Server<srv::GetAvailableStates>> get_states;
-  std::unique_ptr<Server<srv::GetAvailableTransitions>> get_transitions;
-  std::unique_ptr<Server<srv::GetAvailableTransitions>> get_graph;
+  std::unique_ptr<Server<lifecycle_srv::ChangeState>> change_state;
+  std::unique_ptr<Server<lifecycle_srv::GetState>> get_state;
+  std::unique_ptr<Server<lifecycle_srv::GetAvailableStates>> get_states;
+  std::unique_ptr<Server<lifecycle_srv::GetAvailableTransitions>> get_transitions;
+  std::unique_ptr<Server<lifecycle_srv::GetAvailableTransitions>> get_graph;
   LogLimit refusals;
 
   Impl(Node& n, LifecycleCallbacks c) : node(n), callbacks(std::move(c)) {}
@@ -103,25 +103,25 @@ Lifecycle::Lifecycle(Node& node, LifecycleCallbacks callbacks)
     : impl_(std::make_unique<Impl>(node, std::move(callbacks))) {
   Impl* impl = impl_.get();  // the servers below die with it
   impl->events = node.advertise<lifecycle_msgs::msg::TransitionEvent>("~/transition_event", Qos::standard());
-  impl->change_state = std::make_unique<Server<srv::ChangeState>>(
+  impl->change_state = std::make_unique<Server<lifecycle_srv::ChangeState>>(
       node, "~/change_state", [impl](const auto& request, auto& response) {
         response.success(impl->change(request.transition().id(), request.transition().label()));
       });
-  impl->get_state = std::make_unique<Server<srv::GetState>>(
+  impl->get_state = std::make_unique<Server<lifecycle_srv::GetState>>(
       node, "~/get_state",
       [impl](const auto&, auto& response) { response.current_state(to_message(impl->state)); });
-  impl->get_states = std::make_unique<Server<srv::GetAvailableStates>>(
+  impl->get_states = std::make_unique<Server<lifecycle_srv::GetAvailableStates>>(
       node, "~/get_available_states", [](const auto&, auto& response) {
         for (const LifecycleState state : all_lifecycle_states())
           response.available_states().push_back(to_message(state));
       });
-  impl->get_transitions = std::make_unique<Server<srv::GetAvailableTransitions>>(
+  impl->get_transitions = std::make_unique<Server<lifecycle_srv::GetAvailableTransitions>>(
       node, "~/get_available_transitions", [impl](const auto&, auto& response) {
         for (const auto& one : all_lifecycle_transitions()) {
           if (one.from == impl->state) response.available_transitions().push_back(to_message(one));
         }
       });
-  impl->get_graph = std::make_unique<Server<srv::GetAvailableTransitions>>(
+  impl->get_graph = std::make_unique<Server<lifecycle_srv::GetAvailableTransitions>>(
       node, "~/get_transition_graph", [](const auto&, auto& response) {
         for (const auto& one : all_lifecycle_transitions())
           response.available_transitions().push_back(to_message(one));

@@ -1,15 +1,15 @@
 #include "components/ros/type_messages.h"
 
 namespace goalnet::ros {
-namespace msg = type_description_interfaces::msg;
+namespace type_msg = type_description_interfaces::msg;
 
 namespace {
 
-msg::IndividualTypeDescription individual(const idl::TypeDescription& type) {
-  msg::IndividualTypeDescription out;
+type_msg::IndividualTypeDescription individual(const idl::TypeDescription& type) {
+  type_msg::IndividualTypeDescription out;
   out.type_name(type.name);
   for (const idl::FieldDescription& field : type.all_fields()) {
-    msg::Field one;
+    type_msg::Field one;
     one.name(field.name);
     one.type().type_id(field.type_id);
     one.type().capacity(field.capacity);
@@ -21,8 +21,8 @@ msg::IndividualTypeDescription individual(const idl::TypeDescription& type) {
   return out;
 }
 
-msg::TypeSource source(const idl::TypeDescription& type) {
-  msg::TypeSource out;
+type_msg::TypeSource source(const idl::TypeDescription& type) {
+  type_msg::TypeSource out;
   out.type_name(type.name);
   out.encoding(type.encoding);
   out.raw_file_contents(type.source);
@@ -31,8 +31,8 @@ msg::TypeSource source(const idl::TypeDescription& type) {
 
 }  // namespace
 
-msg::TypeDescription to_message(const idl::TypeDescription& type) {
-  msg::TypeDescription out;
+type_msg::TypeDescription to_message(const idl::TypeDescription& type) {
+  type_msg::TypeDescription out;
   out.type_description(individual(type));
   for (const char* const* name = type.referenced; *name != nullptr; ++name) {
     if (const auto* part = idl::find_type(*name))

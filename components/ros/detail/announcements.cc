@@ -5,8 +5,7 @@
 namespace goalnet::ros::detail {
 namespace {
 
-constexpr std::size_t kMostParticipants =
-    2000;  // then all are forgotten: what strangers can make us remember
+constexpr std::size_t kMostKnown = 2000;  // then all are forgotten: what strangers can make us remember
 constexpr std::size_t kMostAddresses = 4;
 constexpr int kMostAnswers = 5;  // to one participant
 constexpr int kMostAnswersPerSecond = 100;
@@ -91,7 +90,7 @@ std::optional<Announcement> read_announcement(std::span<const std::uint8_t> mess
 }
 
 bool Newcomers::answer(const Announcement& announcement, Clock::time_point now) {
-  if (known_.size() >= kMostParticipants && !known_.contains(announcement.participant)) known_.clear();
+  if (known_.size() >= kMostKnown && !known_.contains(announcement.participant)) known_.clear();
   const auto [entry, is_new] = known_.try_emplace(announcement.participant, Acquaintance{now, now, 0});
   Acquaintance& one = entry->second;
   if (is_new || one.answers >= kMostAnswers || now - one.since > kYouth || now - one.answered < kPause)

@@ -5,8 +5,8 @@
 namespace goalnet::ros::detail {
 namespace {
 
-constexpr std::size_t kEncapsulation = 4;  // [bytes]
-constexpr std::size_t kHeader = 16;        // [bytes]
+constexpr std::size_t kEncapsulationHeader = 4;  // [bytes]
+constexpr std::size_t kServiceHeader = 16;       // [bytes]
 
 std::uint64_t read_number(std::span<const std::uint8_t> bytes, bool big_endian) {
   std::uint64_t number = 0;
@@ -29,20 +29,22 @@ std::uint64_t cyclone_client_number(const Gid& endpoint) {
 }
 
 std::optional<CycloneHeader> take_cyclone_header(std::vector<std::uint8_t>& payload) {
-  if (payload.size() < kEncapsulation + kHeader) return std::nullopt;
+  if (payload.size() < kEncapsulationHeader + kServiceHeader) return std::nullopt;
   const bool big_endian = payload[1] == 0;
-  const std::span header = std::span<const std::uint8_t>(payload).subspan(kEncapsulation, kHeader);
+  const std::span header =
+      std::span<const std::uint8_t>(payload).subspan(kEncapsulationHeader, kServiceHeader);
   const CycloneHeader taken{read_number(header.first(8), big_endian),
                             static_cast<std::int64_t>(read_number(header.last(8), big_endian))};
-  payload.erase(payload.begin() + kEncapsulation, payload.begin() + kEncapsulation + kHeader);
+  payload.erase(payload.begin() + kEncapsulationHeader,
+                payload.begin() + kEncapsulationHeader + kServiceHeader);
   return taken;
 }
 
 std::vector<std::uint8_t> with_cyclone_header(std::span<const std::uint8_t> payload,
                                               const CycloneHeader& header) {
   std::vector<std::uint8_t> out;
-  out.reserve(payload.size() + kHeader);
-  const auto encapsulation = payload.first(std::min(payload.size(), kEncapsulation));
+  out.reserve(payload.size() + kServiceHeader);
+  const auto encapsulation = payload.first(std::min(payload.size(), kEncapsulationHeader));
   out.assign(encapsulation.begin(), encapsulation.end());
   append_number(out, header.client);
   append_number(out, static_cast<std::uint64_t>(header.sequence));

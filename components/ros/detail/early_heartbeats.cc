@@ -7,7 +7,7 @@ namespace {
 
 using namespace rtps_message;
 
-constexpr std::size_t kMostParticipants = 200;
+constexpr std::size_t kMostNewcomers = 200;
 constexpr std::size_t kMostDatagrams = 8;  // for one participant: there are three or four such writers
 
 bool is_cyclone(std::span<const std::uint8_t> vendor) { return vendor[0] == 0x01 && vendor[1] == 0x10; }
@@ -37,7 +37,7 @@ void EarlyHeartbeats::sent(std::span<const std::uint8_t> message, std::span<cons
   });
   if (!wanted) return;
   const Prefix prefix = prefix_at(message, kHeader + 4);
-  if (newcomers_.size() >= kMostParticipants && !newcomers_.contains(prefix)) newcomers_.clear();
+  if (newcomers_.size() >= kMostNewcomers && !newcomers_.contains(prefix)) newcomers_.clear();
   Newcomer& one = newcomers_[prefix];
   if (!one.told && one.datagrams.size() < kMostDatagrams)
     one.datagrams.push_back({{message.begin(), message.end()}, {to.begin(), to.end()}});

@@ -15,7 +15,7 @@
 namespace goalnet::ros::detail {
 namespace {
 
-namespace rtps = eprosima::fastdds::rtps;
+namespace rtps_transport = eprosima::fastdds::rtps;
 using eprosima::fastrtps::rtps::Locator_t;
 using eprosima::fastrtps::rtps::LocatorsIterator;
 using eprosima::fastrtps::rtps::octet;
@@ -50,13 +50,13 @@ class NotingIterator final : public LocatorsIterator {
 };
 #pragma GCC diagnostic pop
 
-class HeldTransport : public rtps::ChainingTransport {
+class HeldTransport : public rtps_transport::ChainingTransport {
  public:
-  HeldTransport(const rtps::ChainingTransportDescriptor& descriptor, std::shared_ptr<ReceptionGate> gate,
-                std::shared_ptr<Introduction> introduction)
+  HeldTransport(const rtps_transport::ChainingTransportDescriptor& descriptor,
+                std::shared_ptr<ReceptionGate> gate, std::shared_ptr<Introduction> introduction)
       : ChainingTransport(descriptor), gate_(std::move(gate)), introduction_(std::move(introduction)) {}
 
-  rtps::TransportDescriptorInterface* get_configuration() override {
+  rtps_transport::TransportDescriptorInterface* get_configuration() override {
     return low_level_transport_->get_configuration();
   }
 
@@ -73,7 +73,7 @@ class HeldTransport : public rtps::ChainingTransport {
     return sent;
   }
 
-  void receive(rtps::TransportReceiverInterface* next, const octet* buffer, std::uint32_t size,
+  void receive(rtps_transport::TransportReceiverInterface* next, const octet* buffer, std::uint32_t size,
                const Locator_t& local, const Locator_t& remote) override {
     if (!passed_.load(std::memory_order_acquire)) {
       gate_->pass();
@@ -89,13 +89,13 @@ class HeldTransport : public rtps::ChainingTransport {
   std::atomic<bool> passed_{false};
 };
 
-struct HeldDescriptor : rtps::ChainingTransportDescriptor {
+struct HeldDescriptor : rtps_transport::ChainingTransportDescriptor {
   HeldDescriptor(std::shared_ptr<TransportDescriptorInterface> lower, std::shared_ptr<ReceptionGate> the_gate,
                  std::shared_ptr<Introduction> the_introduction)
       : ChainingTransportDescriptor(std::move(lower)),
         gate(std::move(the_gate)),
         introduction(std::move(the_introduction)) {}
-  rtps::TransportInterface* create_transport() const override {
+  rtps_transport::TransportInterface* create_transport() const override {
     return new HeldTransport(*this, gate, introduction);
   }
   std::shared_ptr<ReceptionGate> gate;
@@ -122,7 +122,7 @@ std::shared_ptr<ReceptionGate> hold_reception(eprosima::fastdds::dds::DomainPart
   auto introduction = std::make_shared<Introduction>();
   for (auto& transport : qos.transport().user_transports) {
     // A user's XML may name TCP, which has connections and cannot be chained.
-    if (std::dynamic_pointer_cast<rtps::TCPTransportDescriptor>(transport)) continue;
+    if (std::dynamic_pointer_cast<rtps_transport::TCPTransportDescriptor>(transport)) continue;
     transport = std::make_shared<HeldDescriptor>(transport, gate, introduction);
   }
   return gate;

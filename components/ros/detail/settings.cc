@@ -34,11 +34,10 @@ Expected<int> parse_domain(const std::string& text) {
 }
 
 Expected<ParticipantSettings::Range> parse_range(const std::string& text) {
-  using Range = ParticipantSettings::Range;
-  if (text == "OFF") return Range::kOff;
-  if (text == "LOCALHOST") return Range::kLocalhost;
-  if (text == "SUBNET" || text.empty()) return Range::kSubnet;
-  if (text == "SYSTEM_DEFAULT") return Range::kSystemDefault;
+  if (text == "OFF") return ParticipantSettings::Range::kOff;
+  if (text == "LOCALHOST") return ParticipantSettings::Range::kLocalhost;
+  if (text == "SUBNET" || text.empty()) return ParticipantSettings::Range::kSubnet;
+  if (text == "SYSTEM_DEFAULT") return ParticipantSettings::Range::kSystemDefault;
   return fail(Outcome::kInvalidRequest, "ROS_AUTOMATIC_DISCOVERY_RANGE is '" + text +
                                             "'; it must be OFF, LOCALHOST, SUBNET or SYSTEM_DEFAULT");
 }
