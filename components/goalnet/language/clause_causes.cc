@@ -31,6 +31,47 @@ std::size_t ClauseParser::caused(std::size_t at, std::size_t end, Clause& clause
   return at + 1;
 }
 
+// "only burner four should be on": that one, and no other; `at` where it is none.
+std::size_t ClauseParser::only_on(std::size_t at, std::size_t end) {
+  if (!language_.hears_people() || words_[at] != "only") return at;
+  NounPhrase thing;
+  const std::size_t named = reader_.read(at + 1, end, thing);
+  if (named == at + 1 || thing.person || thing.unknown || thing.pronoun || thing.bare()) return at;
+  std::size_t k = named;
+  bool wanted = false;
+  for (; k < end && (language_.copula(words_[k]) || one_of(words_[k], kDesire)); ++k)
+    wanted = wanted || one_of(words_[k], kDesire);
+  if (!wanted || k >= end || language_.wanted_by_state(words_[k]) != Frame::kStart || !ends_here(k + 1, end))
+    return at;
+  Clause on, off;
+  on.frame = Frame::kStart, on.verb = "start", on.phrases = {thing};
+  off.frame = Frame::kStop, off.verb = "stop";
+  NounPhrase all;
+  all.phrase = all.word = thing.phrase, all.all = all.plural = true;
+  thing.role = Role::kExcept;
+  off.phrases = {std::move(all), std::move(thing)};
+  add(std::move(off));
+  add(std::move(on));
+  return part_end(k + 1, end);
+}
+
+// "do not bring the coke but the beer": the second is asked for. `before`: clauses before it was read.
+void ClauseParser::but_this(std::size_t before) {
+  if (!language_.hears_people() || result_.clauses.size() != before + 1) return;
+  Clause& forbidden = result_.clauses.back();
+  const NounPhrase* not_this = forbidden.first(Role::kDirect);
+  if (forbidden.mood != Mood::kForbidden || not_this == nullptr || not_this->everything || not_this->all ||
+      not_this->plural || forbidden.first(Role::kExcept) == nullptr)
+    return;
+  Clause asked = forbidden;
+  std::erase_if(asked.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kDirect; });
+  for (NounPhrase& phrase : asked.phrases)
+    if (phrase.role == Role::kExcept) phrase.role = Role::kDirect;
+  asked.mood = Mood::kCommand;
+  std::erase_if(forbidden.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kExcept; });
+  add(std::move(asked));
+}
+
 std::size_t ClauseParser::comes(std::size_t at, std::size_t end, Clause& clause) const {
   static constexpr std::array kMoves = {"come"sv, "go"sv, "get"sv, "move"sv};
   static constexpr std::array kFrom = {"off"sv, "from"sv, "of"sv};
@@ -100,8 +141,17 @@ std::size_t ClauseParser::has_thing(std::size_t at, std::size_t end, Clause& cla
 
 // "(put it) where the mug is", "(the fork belongs) where the mug is": beside that; `at` where it is none.
 std::size_t ClauseParser::where_that_is(std::size_t at, std::size_t end, Clause& clause) const {
-  if (at + 1 >= end || words_[at] != "where") return at;
   NounPhrase beside;
+  if (language_.hears_people() && clause.frame == Frame::kNone && at + 1 < end && words_[at] == "with") {
+    const std::size_t done = reader_.read(at + 1, end, beside);  // "the controller belongs with the console"
+    if (done == at + 1 || beside.person || beside.unknown || beside.bare() || !ends_here(done, end))
+      return at;
+    beside.role = Role::kDestination, beside.where = Where::kNear;
+    clause.phrases.push_back(std::move(beside));
+    clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put", clause.belongs = true;
+    return done;
+  }
+  if (at + 1 >= end || words_[at] != "where") return at;
   std::size_t done = reader_.read(at + 1, end, beside);
   if (NounPhrase there; language_.hears_people() && done != at + 1) {  // "where the book from the table is"
     const std::size_t from = done < end && words_[done] == "from" ? done + 1 : done;
@@ -142,6 +192,27 @@ std::size_t ClauseParser::state_of_place(std::size_t at, Clause& clause) const {
     return at;
   clause.state = words_[at];
   return at + 1;
+}
+
+// "(the xbox has) a disc in it", "(the armchair has) no pillow on it": the disc is in the xbox; `at` where it
+// is none.
+std::size_t ClauseParser::bears_thing(std::size_t at, std::size_t end, Clause& clause) const {
+  if (!language_.hears_people() || !judging_ || at == 0 || clause.phrases.size() != 1 ||
+      (words_[at - 1] != "has" && words_[at - 1] != "have"))
+    return at;
+  const std::size_t from = words_[at] == "no" ? at + 1 : at;
+  NounPhrase thing, there;
+  const std::size_t named = reader_.read(from, end, thing);
+  const std::size_t done = named == from ? named : reader_.read_place(named, end, there);
+  if (named == from || done == named || !there.pronoun || thing.person || thing.unknown || thing.bare() ||
+      language_.content(thing.phrase) != symbol::kNone)
+    return at;
+  NounPhrase holder = clause.phrases.front();
+  holder.where = there.where;
+  thing.at = {std::move(holder)};
+  clause.phrases = {std::move(thing)};
+  clause.negative = from > at;
+  return done;
 }
 
 // "(the kettle has) no water (in it)"; `at` where it is none.

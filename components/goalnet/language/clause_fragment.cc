@@ -121,6 +121,16 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
   }
   if (i + 1 < end && words_[i] == "for") {  // "a pillow for every armchair"
     const std::size_t done = reader_.read(i + 1, end, place, true);
+    // "one long cup for coke"
+    if (language_.hears_people() && done != i + 1 && ends_here(done, end) &&
+        language_.content(place.phrase) != symbol::kNone && language_.holds_things(subject.phrase) &&
+        subject.content.empty()) {
+      clause.frame = Frame::kFill, clause.verb = "fill";
+      place.role = Role::kWith;
+      clause.phrases.push_back(std::move(place));
+      add(std::move(clause));
+      return done;
+    }
     const bool holder = language_.hears_people() && !place.unknown && !place.person &&
                         (lexicon_->is_place_name(place.phrase) || language_.holds_things(place.phrase));
     if (done != i + 1 && (place.all || holder) && (lexicon_->is_place_name(place.phrase) || holder)) {

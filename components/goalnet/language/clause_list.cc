@@ -36,8 +36,7 @@ bool ClauseParser::leaves_command(std::size_t i, std::size_t next, std::size_t e
   if (language_.hears_people() && words_[next - 1] == "no" && reader_.name_length(next) > 0)
     return true;               // "a scoop in the bowl, no syrup"
   const auto may_stay = [&] {  // "clear the couch, (only) the book and the bowl can stay"
-    const std::size_t stop = part_end(next, end);
-    for (std::size_t k = next + 1; k + 1 < stop; ++k)
+    for (std::size_t k = next + 1; k + 1 < end && words_[k] != ","; ++k)
       if ((words_[k] == "can" || words_[k] == "may") && words_[k + 1] == "stay") return true;
     return false;
   };

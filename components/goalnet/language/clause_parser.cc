@@ -86,7 +86,15 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   if (NounPhrase none; language_.hears_people() && at > joined && words_[at - 1] == "no" &&
                        !result_.clauses.empty() && reader_.name_length(at) > 0) {
     const std::size_t done = reader_.read(at, end, none);  // "..., no syrup": is left out anyway
-    if (done != at && ends_here(done, end)) return done;
+    if (done != at && ends_here(done, end)) {
+      Clause& asked = result_.clauses.back();  // "something to drink, but no beer"
+      if (asked.mood == Mood::kCommand && (asked.frame == Frame::kTake || asked.frame == Frame::kBring) &&
+          language_.content(none.phrase) == symbol::kNone) {
+        none.role = Role::kExcept;
+        asked.phrases.push_back(std::move(none));
+      }
+      return done;
+    }
   }
   if (third_person(at, end)) {
     add_told(at, part_end(at, end));
@@ -137,6 +145,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     if (const std::size_t done = except(at, end, result_.clauses.back()); done != at) return done;
   if (const std::size_t done = only_stays(at, end); done != at) return done;
   if (const std::size_t done = namely(at, end); done != at) return done;
+  if (const std::size_t done = only_on(at, end); done != at) return done;
   if (word == "do_that") return done_that(at, end);
   if (word == "hint") return hint(at, end);
   // "bring the beer, no, I still have to drive, so the coke"

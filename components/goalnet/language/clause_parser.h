@@ -51,6 +51,9 @@ class ClauseParser {
   std::size_t where_that_is(std::size_t at, std::size_t end, Clause& clause) const;
   std::size_t goes_in(std::size_t at, std::size_t end, Clause& clause) const;
   std::size_t state_of_place(std::size_t at, Clause& clause) const;
+  std::size_t bears_thing(std::size_t at, std::size_t end, Clause& clause) const;
+  std::size_t only_on(std::size_t at, std::size_t end);
+  void but_this(std::size_t before);
   std::size_t holds_no(std::size_t at, std::size_t end, Clause& clause) const;
   // "(clear the stove) before you do": to be done before what was asked before it.
   std::size_t before_that(std::size_t at, std::size_t end);
@@ -122,6 +125,7 @@ class ClauseParser {
   std::size_t insert_before_ = SIZE_MAX;  // where the next clause belongs ("before doing A, do B")
   Clause conditional_;                    // whose condition the commands of this sentence are under
   int conditions_ = 0;                    // so far
+  bool judging_ = false;                  // reads what a condition says
   bool ensured_ = false;                  // "make sure that ..."
   std::vector<NounPhrase> fronted_;       // "in the sink, put ..."
 };

@@ -35,6 +35,7 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
     if (!desired && clause.mood == Mood::kStatement) {
       std::size_t done = state_of_place(i, clause);
       if (done == i) done = holds_no(i, end, clause);
+      if (done == i) done = bears_thing(i, end, clause);
       if (done != i) {
         i = done;
         continue;

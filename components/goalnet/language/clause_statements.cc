@@ -18,6 +18,16 @@ constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,    
 
 // "(the beer is empty) and should be binned": of the same thing; `at` where it is none.
 std::size_t ClauseParser::of_the_same(std::size_t at, std::size_t end) {
+  // "(the kettle should be full) and hot"
+  if (language_.hears_people() && at + 1 < end && words_[at] == "and" && !result_.clauses.empty() &&
+      result_.clauses.back().mood == Mood::kCommand && !result_.clauses.back().state.empty() &&
+      result_.clauses.back().phrases.size() == 1 && ends_here(at + 2, end) &&
+      language_.wanted_by_state(words_[at + 1]) != Frame::kNone && reader_.name_length(at + 1) == 0) {
+    Clause also = result_.clauses.back();
+    also.frame = language_.wanted_by_state(words_[at + 1]), also.verb = also.state = words_[at + 1];
+    add(std::move(also));
+    return at + 2;
+  }
   if (!language_.hears_people() || at + 2 >= end || words_[at] != "and" ||
       (words_[at + 1] != "should" && words_[at + 1] != "must") || result_.clauses.empty() ||
       result_.clauses.back().mood != Mood::kStatement ||
@@ -62,6 +72,14 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       add(std::move(clause));
       return after;
     }
+    if (judging_ && done != i + 3 && after != done && !content.unknown && !vessel.unknown) {
+      Clause clause;  // "(if) there is no disc in the xbox"
+      clause.mood = Mood::kStatement, clause.negative = true;
+      content.at = {std::move(vessel)};
+      clause.phrases = {std::move(content)};
+      add(std::move(clause));
+      return after;
+    }
   }
   if (there) {
     ++i;
@@ -69,6 +87,9 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   }
   if (words_[at] == "nothing" || words_[at] == "no") {  // "nothing should be standing on the stove"
     std::size_t k = at + 1;
+    NounPhrase only;  // "nothing but pillows belongs on the couch"
+    if (language_.hears_people() && k + 1 < end && (words_[k] == "but" || words_[k] == "except"))
+      k = std::max(reader_.read(k + 1, end, only), k + 1);
     bool wanted = ensured_ && language_.hears_people();  // "make sure nothing is left on the stove"
     for (; k < end && !language_.joins(words_[k]); ++k) {
       wanted = wanted || one_of(words_[k], kDesire);
@@ -79,6 +100,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       clause.frame = Frame::kClear, clause.verb = "clear";
       clause.phrases.push_back(std::move(place));
       clause.phrases.back().role = Role::kSource;
+      only.role = Role::kExcept;
+      if (!only.bare()) clause.phrases.push_back(std::move(only));
       add(std::move(clause));
       return done;
     }

@@ -13,11 +13,13 @@ using std::string_view_literals::operator""sv;
 std::size_t ClauseParser::condition(std::size_t at, std::size_t end) {
   ClauseParser inner(*all_words_, language_, *lexicon_);
   std::size_t stop = at + 1;
-  while (
-      stop < end && words_[stop] != "," && words_[stop] != "then" &&
-      !(language_.hears_people() && words_[stop] == "otherwise") &&
-      !(stop > at + 2 && opens_command(stop, end) && language_.wanted_by_state(words_[stop]) == Frame::kNone))
+  while (stop < end && words_[stop] != "," && words_[stop] != "then" &&
+         !(language_.hears_people() && words_[stop] == "otherwise") &&
+         !(stop > at + 2 && opens_command(stop, end) &&
+           language_.wanted_by_state(words_[stop]) == Frame::kNone &&
+           !(language_.hears_people() && words_[stop] == "free")))
     ++stop;
+  inner.judging_ = true;
   const std::size_t done = inner.statement(at + 1, stop);
   if (done < stop || !inner.result_.stray.empty() || inner.result_.clauses.size() != 1) return at;
   Clause clause = inner.result_.clauses.front();
@@ -25,6 +27,13 @@ std::size_t ClauseParser::condition(std::size_t at, std::size_t end) {
     clause.phrases.front().content = clause.phrases.back().phrase;  // "there is no water in the kettle"
     clause.phrases.pop_back();
     clause.frame = Frame::kNone, clause.wish = false, clause.negative = true;
+  }
+  // "if somebody put the remote on an armchair": if it is there
+  if (language_.hears_people() && clause.frame == Frame::kPlace && clause.phrases.size() == 2 &&
+      clause.phrases.back().role == Role::kDestination && !clause.phrases.front().pronoun) {
+    clause.phrases.front().at = {clause.phrases.back()};
+    clause.phrases.pop_back();
+    clause.frame = Frame::kNone;
   }
   const bool says =
       !clause.state.empty() ||

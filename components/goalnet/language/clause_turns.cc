@@ -61,7 +61,12 @@ std::size_t ClauseParser::forbidden(std::size_t at, std::size_t end) {
   if (const std::size_t done = not_that_one(at, end); done != at) return done;
   std::size_t verb = at + 1;
   while (verb < end && !opens_command(verb, end) && harmless(verb)) ++verb;
-  if (opens_command(verb, end)) return command(verb, end, Mood::kForbidden);
+  if (opens_command(verb, end)) {
+    const std::size_t before = result_.clauses.size();
+    const std::size_t done = command(verb, end, Mood::kForbidden);
+    but_this(before);
+    return done;
+  }
   const std::size_t gerund = at + 1;
   if (gerund < end && words_[gerund].size() > 5 && words_[gerund].ends_with("ing") &&
       !language_.known(words_[gerund])) {

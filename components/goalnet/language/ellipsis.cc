@@ -134,7 +134,7 @@ class Filler {
 
   // "three waters: one in the glass, two in the long cups": each part gets the thing, what is shared out
   // before them goes.
-  void share_out(const std::vector<Span>& spans, std::size_t first) {
+  void share_out(const NounPhraseReader& reader, const std::vector<Span>& spans, std::size_t first) {
     const Span& one = spans[first];
     std::size_t from = one.content, to = one.end;
     while (from + 1 < to && (number_word(words_.text[from]) > 0 || one_of(words_.text[from], kDeterminers)))
@@ -144,8 +144,10 @@ class Filler {
                                          words_.text.begin() + static_cast<long>(to));
     std::size_t last = first + 1;
     while (last + 1 < spans.size() && spans[last + 1].part == Part::kCountAtPlace) ++last;
-    const bool moved = language_.content(words_.text[to - 1]) == symbol::kNone;  // no drink
-    const bool drink = !moved && to == from + 1;
+    NounPhrase shared;
+    reader.read(from, to, shared);
+    const bool content = language_.content(shared.phrase) != symbol::kNone;
+    const bool moved = !shared.scoop && !content, drink = content && !shared.scoop && to == from + 1;
     for (std::size_t k = last; k > first; --k) {
       const std::size_t number = spans[k].content;
       if (one_of(words_.text[number + 1], kDesire)) erase(number + 1);
@@ -193,7 +195,7 @@ class Filler {
         return true;
       }
       if (one.part == Part::kThings && two.part == Part::kCountAtPlace) {
-        share_out(spans, i);
+        share_out(reader, spans, i);
         return true;
       }
       // "need coffee. hot.", "coffee, hot, please"

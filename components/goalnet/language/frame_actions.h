@@ -131,6 +131,7 @@ class FrameActions {
   Problem turn(const Clause& clause, int on);
   Problem turn_on(Symbol device, bool on, int number);
   bool is_on(Symbol device) const;
+  Objects other_devices_on() const;
   static bool is_switched(Symbol thing);  // the television, the stove or a burner
   bool only_devices(const Clause& clause) const;
   Problem door(const Clause& clause, bool open);

@@ -129,7 +129,9 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
     return false;
   }
   Symbol object = objects.front();
-  if (at_home_)  // "if one of the burners is on"
+  if (at_home_ && plain.ordinal > 0 && !subject.pronoun)  // "if the second couch is free"
+    if (const Objects meant = resolver_.chosen(plain, objects); !meant.empty()) object = meant.front();
+  if (at_home_ && plain.ordinal == 0)  // "if one of the burners is on"
     for (const Symbol other : objects)
       if (is_so(other, statement.state).value_or(false)) {
         object = other;

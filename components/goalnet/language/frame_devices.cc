@@ -70,6 +70,24 @@ bool FrameActions::only_devices(const Clause& clause) const {
   });
 }
 
+// What runs and was not spoken of; of burners where burners were spoken of.
+FrameActions::Objects FrameActions::other_devices_on() const {
+  const auto spoken = [&](Symbol device) {
+    return std::any_of(history_.begin(), history_.end(),
+                       [&](const Objects& objects) { return contains(objects, device); });
+  };
+  Objects result;
+  bool burners = false;
+  for (Symbol burner = kStoveFire_1; burner <= kStoveFire_4; ++burner) {
+    burners = burners || spoken(burner);
+    if (resolver_.exists(burner) && is_on(burner) && !spoken(burner)) result.push_back(burner);
+  }
+  if (burners) return result;
+  for (const Symbol device : {kSinkKnob, kMicrowave, kTv_1})
+    if (resolver_.exists(device) && is_on(device) && !spoken(device)) result.push_back(device);
+  return result;
+}
+
 std::string FrameActions::turn(const Clause& clause, int on) {
   const bool up = clause.has_particle("up"), down = clause.has_particle("down");
   const NounPhrase* thing = clause.first(Role::kDirect);
@@ -130,6 +148,9 @@ std::string FrameActions::turn(const Clause& clause, int on) {
           if (contains(resolver_.all(Sort::kDevice, now_), other) && is_on(other) != (on == 1) &&
               is_on(devices.front()) == (on == 1))
             devices = {other};
+    } else if (at_home_ && phrase.everything && phrase.rest && phrase.at.empty() && on == 0) {
+      devices = other_devices_on();  // "leave burner two burning, turn the rest off"
+      any = true;
     } else if (phrase.everything && phrase.at.empty() && on == 0) {  // "turn everything off"
       for (const Symbol device : {kSinkKnob, kMicrowave, kTv_1, kFridgeButton})
         if ((device == kFridgeButton || resolver_.exists(device)) && is_on(device)) devices.push_back(device);
@@ -138,13 +159,15 @@ std::string FrameActions::turn(const Clause& clause, int on) {
     } else if (!phrase.bare() && !phrase.everything) {
       devices = resolver_.options(phrase, Sort::kDevice, now_);
       const Objects burners = resolver_.options(phrase, Sort::kPlace, now_);
-      const bool one_burner =
-          !burners.empty() && resolver_.is_of_class(burners.front(), "burner") &&
-          (phrase.ordinal > 0 || phrase.number > 0 || phrase.all || phrase.plural || phrase.count > 0 ||
-           !phrase.at.empty() || phrase.has("other") || phrase.has("last"));
+      const bool one_burner = !burners.empty() && resolver_.is_of_class(burners.front(), "burner") &&
+                              (phrase.ordinal > 0 || phrase.number > 0 || phrase.all || phrase.plural ||
+                               phrase.count > 0 || !phrase.at.empty() || phrase.has("other") ||
+                               phrase.has("last") || (at_home_ && phrase.has("free")));
       if (one_burner) {
         Objects chosen_burners = burners;
-        if (!phrase.at.empty() || phrase.number > 0)
+        if (at_home_ && phrase.has("free"))  // "any burner with nothing on it": those that it changes
+          std::erase_if(chosen_burners, [&](Symbol b) { return is_on(b) == (on == 1); });
+        else if (!phrase.at.empty() || phrase.number > 0)
           chosen_burners.erase(chosen_burners.begin() + 1, chosen_burners.end());
         else if (phrase.has("other"))
           std::erase_if(chosen_burners, [&](Symbol b) { return is_on(b) == (on == 1); }),
@@ -193,6 +216,7 @@ std::string FrameActions::turn(const Clause& clause, int on) {
         for (const Sort sort : {Sort::kPlace, Sort::kDevice})
           for (const Symbol device : resolver_.chosen(left_out, resolver_.options(left_out, sort, now_)))
             std::erase(devices, device);
+    if (devices.empty() && phrase.rest && any) continue;
     if (devices.empty()) {
       const bool no_device =
           at_home_ && !phrase.pronoun && !phrase.bare() && !resolver_.named(phrase).empty();

@@ -93,6 +93,7 @@ std::optional<std::string> FrameActions::put_content(const Clause& clause, const
   const bool into_dish =
       !vessels.empty() && (resolver_.is_vessel(vessels.front()) || resolver_.class_of(vessels.front())->dish);
   const bool inside = destination.where != Where::kOn && destination.where != Where::kNear;
+  if (at_home_ && destination.where == Where::kNear) return std::nullopt;  // "salt goes next to the kettle"
   if (content != kNone && into_dish && thing.content.empty()) {
     // "I want boiling water in the kettle": where none is hot yet it is heated there
     if (content == kWater && (thing.has("boiling") || thing.has("hot")) &&

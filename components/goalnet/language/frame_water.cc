@@ -207,7 +207,7 @@ std::string FrameActions::pour(const Clause& clause) {
   } else if (content != kNone) {
     source = vessel_with(content);
     // "one water in the glass, two in the long cups": each from the tap
-    if (at_home_ && content == kWater && source != kNone && !start_.is(source, kWater) && !thing->definite &&
+    if (at_home_ && content == kWater && source != kNone && !thing->definite && source_phrase == nullptr &&
         (thing->count > 0 || targets.size() > 1))
       source = kNone;
     if (source == kNone && content != kWater) {

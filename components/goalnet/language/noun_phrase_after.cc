@@ -80,7 +80,6 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
           words_.text[k] == "need")
         return i;  // "a book that belongs on the shelf" asks for something
       // "the burner that the kettle is on", "the shelf where the beer is"
-      static constexpr std::array kFurniture = {"table"sv, "seat"sv, "place"sv, "spot"sv, "surface"sv};
       if (word == "where" && !lexicon_.is_place_name(phrase.phrase) &&
           !(language_.hears_people() && one_of(phrase.phrase, kFurniture)))
         return i;  // "put the mug where the coke is"
@@ -109,7 +108,8 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
     }
     // "the one the kettle is standing on"
     if (language_.hears_people() && !phrase.bare() && one_of(word, kDeterminers) &&
-        (phrase.word == "one" || lexicon_.is_place_name(phrase.phrase))) {
+        (phrase.word == "one" || lexicon_.is_place_name(phrase.phrase) ||
+         language_.holds_things(phrase.phrase))) {
       const std::size_t done = bears(i, end, phrase, true);
       if (done != i) {
         i = done;

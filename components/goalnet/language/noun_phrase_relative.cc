@@ -61,7 +61,13 @@ std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhras
     if (done != k + 1 && !place.hand && !place.person) {
       place.negated = true;
       phrase.at.push_back(place);
-      return done;
+      NounPhrase other;  // "that is not on a shelf or on the couch"
+      const std::size_t after =
+          done < end && words_.text[done] == "or" ? read_place(done + 1, end, other) : done;
+      if (after <= done + 1 || other.hand || other.person) return done;
+      other.negated = true;
+      phrase.at.push_back(other);
+      return after;
     }
     place = {};
   }
@@ -95,8 +101,9 @@ std::size_t NounPhraseReader::bears(std::size_t i, std::size_t end, NounPhrase& 
   const std::size_t named = read(i, end, there);
   std::size_t k = named;
   while (k < end && one_of(words_.text[k], kLying)) ++k;
+  const bool runs_on = k < end && k > named && words_.text[k] == "onto";  // "the egg is lying on to the sink"
   const bool preposition = k < end && one_of(words_.text[k], kOn) && (!stranded || !starts(k + 1, end));
-  if (named == i || k == named || (stranded && !preposition) || there.person || there.unknown) {
+  if (named == i || k == named || (stranded && !preposition && !runs_on) || there.person || there.unknown) {
     last_thing_ = last_thing;
     return i;
   }
@@ -107,7 +114,8 @@ std::size_t NounPhraseReader::bears(std::size_t i, std::size_t end, NounPhrase& 
 
 // "without a pillow (on it)", "with nothing in it"; `i` where it is none.
 std::size_t NounPhraseReader::lacks(std::size_t i, std::size_t end, NounPhrase& phrase) const {
-  const bool place = lexicon_.is_place_name(phrase.phrase);
+  const bool place = lexicon_.is_place_name(phrase.phrase) ||
+                     (language_.hears_people() && one_of(phrase.phrase, kFurniture));
   const bool dish = language_.hears_people() && language_.holds_things(phrase.phrase);
   if ((!place && !dish) || i + 1 >= end) return i;
   const auto behind = [&](std::size_t done) {  // "on it", "in there", "inside"

@@ -58,6 +58,9 @@ inline constexpr std::array kLying = {
     "currently"sv, "still"sv,    "now"sv,     "lie"sv,    "sit"sv,     "stand"sv,   "right"sv,   "is"sv,
     "are"sv,       "was"sv,      "were"sv,    "all"sv,    "already"sv, "laying"sv};
 
+// Furniture of which no single kind here has the name.
+inline constexpr std::array kFurniture = {"table"sv, "seat"sv, "place"sv, "spot"sv, "surface"sv};
+
 // What sentences that only tell something begin with.
 inline constexpr std::array kSubjects = {
     "i"sv,       "we"sv,    "he"sv,     "she"sv,      "they"sv,    "it"sv,       "this"sv,
