@@ -190,6 +190,12 @@ std::size_t ClauseParser::argument(std::size_t i, std::size_t end, Clause& claus
       clause.phrases.push_back(std::move(phrase));
       return done;
     }
+    if (language_.hears_people() && clause.frame == Frame::kSwap && done != i + 1 && !phrase.person &&
+        !phrase.unknown && !phrase.bare() && clause.first(Role::kDirect) != nullptr) {
+      phrase.role = Role::kWith;  // "swap the bowl in the microwave for the mug"
+      clause.phrases.push_back(std::move(phrase));
+      return done;
+    }
     clause.to_person = clause.to_person || phrase.person;
     if (done == i + 1 && done < end && !opens_command(done, end)) ++done;
     if (done < end && language_.time_unit(words_[done])) ++done;

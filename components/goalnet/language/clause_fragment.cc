@@ -132,7 +132,8 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
       return done;
     }
     const bool holder = language_.hears_people() && !place.unknown && !place.person &&
-                        (lexicon_->is_place_name(place.phrase) || language_.holds_things(place.phrase));
+                        (lexicon_->is_place_name(place.phrase) || language_.holds_things(place.phrase) ||
+                         (subject.some && language_.content(place.phrase) != symbol::kNone));
     if (done != i + 1 && (place.all || holder) && (lexicon_->is_place_name(place.phrase) || holder)) {
       clause.frame = Frame::kPlace, clause.verb = "put";
       place.role = Role::kDestination,

@@ -96,6 +96,10 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
       return done;
     }
   }
+  if (NounPhrase none; language_.hears_people() && at > joined && words_[at - 1] == "no") {
+    const std::size_t done = reader_.read(at, end, none);  // "no book should be left on the couch"
+    if (done != at && done < end && one_of(words_[done], kDesire)) return statement(at - 1, end);
+  }
   if (third_person(at, end)) {
     add_told(at, part_end(at, end));
     return part_end(at, end);

@@ -90,6 +90,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     NounPhrase only;  // "nothing but pillows belongs on the couch"
     if (language_.hears_people() && k + 1 < end && (words_[k] == "but" || words_[k] == "except"))
       k = std::max(reader_.read(k + 1, end, only), k + 1);
+    NounPhrase none;
+    if (language_.hears_people() && words_[at] == "no") k = reader_.read(k, end, none);
     bool wanted = ensured_ && language_.hears_people();  // "make sure nothing is left on the stove"
     for (; k < end && !language_.joins(words_[k]); ++k) {
       wanted = wanted || one_of(words_[k], kDesire);
@@ -102,6 +104,7 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
       clause.phrases.back().role = Role::kSource;
       only.role = Role::kExcept;
       if (!only.bare()) clause.phrases.push_back(std::move(only));
+      if (none.all = true; !none.bare() && !none.unknown) clause.phrases.push_back(std::move(none));
       add(std::move(clause));
       return done;
     }
@@ -259,7 +262,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
                !(harmless(k) && verb_seen && !reader_.starts(k, end) &&
                  language_.wanted_by_state(word) == Frame::kNone && !place_preposition(word) &&
                  !(language_.hears_people() &&
-                   (word == "free" || (word == "no" && k + 1 < end && reader_.name_length(k + 1) > 0))))) {
+                   (word == "free" || word == "with" ||
+                    (word == "no" && k + 1 < end && reader_.name_length(k + 1) > 0))))) {
       break;
     }
   }

@@ -21,6 +21,7 @@ std::size_t ClauseParser::part_end(std::size_t at, std::size_t end) const {
     if (language_.hears_people() && i > at && word == "wish" && words_[i - 1] != "not" &&
         words_[i - 1] != "i" && words_[i - 1] != "we")
       return i;  // "for dessert I want two scoops"
+    if (language_.hears_people() && word == "but" && i > at && words_[i - 1] == "nothing") continue;
     if (i == at || (word != "and" && word != "so" && word != "but" && word != "then")) continue;
     const std::size_t next = skip_joins(i + 1, end);
     if (next + 1 < end && words_[next] == "there" && language_.copula(words_[next + 1])) return i;

@@ -48,7 +48,9 @@ class Filler {
   Span span(const NounPhraseReader& reader, std::size_t begin, std::size_t end) const {
     Span span{.begin = begin, .end = end};
     std::size_t i = begin;
-    while (i < end && (language_.joins(words_.text[i]) || (harmless(i) && !reader.starts(i, end)))) ++i;
+    while (i < end && (language_.joins(words_.text[i]) ||
+                       (harmless(i) && number_word(words_.text[i]) == 0 && !reader.starts(i, end))))
+      ++i;
     if (i < end && words_.text[i] == "back" && i + 1 < end && place_preposition(words_.text[i + 1])) ++i;
     span.content = i;
     if (i >= end) return span;

@@ -112,6 +112,9 @@ std::string FrameActions::swap(const Clause& clause) {
       if (!found.empty()) two.push_back(found.front());
     }
   }
+  if (at_home_ && two.size() == 1)  // "swap the bowl in the microwave for the mug"
+    for (const Symbol other : role_objects(clause, Role::kWith, Sort::kMovable, problem))
+      two.push_back(other);
   if (two.empty()) {
     two = direct(clause, Sort::kMovable, problem);
     const auto with = role_objects(clause, Role::kWith, Sort::kMovable, problem);

@@ -156,7 +156,7 @@ std::size_t NounPhraseReader::head(std::size_t i, std::size_t end, bool determin
   if ((phrase.ordinal > 0 || !phrase.adjectives.empty()) && !one().empty() &&
       (place_preposition(word) || language_.joins(word) ||
        (language_.hears_people() &&
-        (language_.copula(word) ||
+        (language_.copula(word) || word == "for" ||
          one_of(word, kDesire))))) {  // "the second on the shelf", "and the other in"
     phrase.phrase = phrase.word = one();
     return i;
