@@ -31,6 +31,51 @@ std::size_t ClauseParser::caused(std::size_t at, std::size_t end, Clause& clause
   return at + 1;
 }
 
+// "(if) anything is on the stove", "nothing is on it", "no pillow is on the couch"; `at` where it is none.
+std::size_t ClauseParser::is_anything(std::size_t at, std::size_t end) {
+  NounPhrase thing, place;
+  const bool nothing = words_[at] == "nothing", no = words_[at] == "no";
+  std::size_t k = at + 1;
+  if (nothing)
+    thing.everything = thing.plural = thing.all = true, thing.word = "anything";
+  else
+    k = reader_.read(no ? at + 1 : at, end, thing);
+  if (!nothing && !no && !thing.everything) return at;
+  while (k < end && (language_.copula(words_[k]) || one_of(words_[k], kLying))) ++k;
+  const std::size_t done = reader_.read_place(k, end, place);
+  const bool told = thing.at.empty() && done != k && !place.person && !place.hand;
+  if (told) thing.at.push_back(std::move(place));
+  if (thing.at.empty() || thing.unknown || thing.person || thing.bare()) return at;
+  Clause clause;
+  clause.mood = Mood::kStatement, clause.negative = nothing || no;
+  clause.phrases = {std::move(thing)};
+  add(std::move(clause));
+  return told ? done : k;
+}
+
+// "the coke and the remote swap places"; `at` where it is none.
+std::size_t ClauseParser::trade_places(std::size_t at, std::size_t end) {
+  static constexpr std::array kTrade = {"swap"sv, "trade"sv, "exchange"sv, "switch"sv, "change"sv};
+  if (!language_.hears_people()) return at;
+  std::vector<NounPhrase> things;
+  std::size_t i = at;
+  for (NounPhrase thing;; thing = {}) {
+    const std::size_t done = reader_.read(i, end, thing);
+    if (done == i || thing.person || thing.unknown || thing.bare()) return at;
+    things.push_back(std::move(thing));
+    i = done;
+    if (i + 1 >= end || words_[i] != "and") break;
+    ++i;
+  }
+  while (i < end && (one_of(words_[i], kDesire) || words_[i] == "can" || words_[i] == "to")) ++i;
+  if (i + 1 >= end || !one_of(words_[i], kTrade) || words_[i + 1] != "place" || !ends_here(i + 2, end))
+    return at;
+  Clause clause;
+  clause.frame = Frame::kSwap, clause.verb = "swap", clause.phrases = std::move(things);
+  add(std::move(clause));
+  return part_end(i + 2, end);
+}
+
 // "only burner four should be on": that one, and no other; `at` where it is none.
 std::size_t ClauseParser::only_on(std::size_t at, std::size_t end) {
   if (!language_.hears_people() || words_[at] != "only") return at;

@@ -16,6 +16,15 @@ std::size_t ClauseParser::end_command(Clause clause, std::size_t i, std::size_t 
     clause.frame = language_.wanted_by_state(clause.state);
     clause.verb = clause.state;
   }
+  // "do not leave the controller lying on the couch": take it from there
+  if (const NounPhrase* left = clause.first(Role::kDirect);
+      language_.hears_people() && clause.mood == Mood::kForbidden && clause.verb == "leave" &&
+      left != nullptr && clause.state.empty() &&
+      (clause.first(Role::kDestination) != nullptr || !left->at.empty())) {
+    for (NounPhrase& phrase : clause.phrases)
+      if (phrase.role == Role::kDestination) phrase.role = Role::kSource;
+    clause.mood = Mood::kCommand, clause.frame = Frame::kTake, clause.verb = "take";
+  }
   // "take a cup to the sink, then take the other one too"
   if (language_.hears_people() && !clause.words.empty() && clause.words.back() == "too" &&
       clause.mood == Mood::kCommand && clause.first(Role::kDestination) == nullptr &&

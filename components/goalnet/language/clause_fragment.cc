@@ -108,9 +108,13 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     add(std::move(clause));
     return i + 2;
   }
-  if (i + 1 < end && words_[i] == "off") {  // "everything off the stove"
-    const std::size_t done = reader_.read(i + 1, end, place, true);
-    if (done != i + 1 && !place.unknown && !place.person) {
+  const bool out_of = language_.hears_people() && i + 2 < end && words_[i] == "out" && words_[i + 1] == "of";
+  if (i + 1 < end && (words_[i] == "off" || out_of)) {  // "everything off the stove", "spoon out of the mug"
+    const std::size_t from = out_of ? i + 2 : i + 1;
+    const std::size_t done = reader_.read(from, end, place, true);
+    NounPhrase to;
+    const bool moves = out_of && reader_.read_place(done, end, to) != done;
+    if (done != from && !place.unknown && !place.person && !moves) {
       clause.frame = Frame::kTake, clause.verb = "take";
       place.role = Role::kSource;
       clause.phrases.push_back(place);

@@ -31,7 +31,13 @@ std::size_t ClauseParser::things_of_fragment(std::size_t at, std::size_t end, Cl
   if (NounPhrase left_out;
       language_.hears_people() && i < end && (words_[i] == "except" || words_[i] == "but")) {
     const std::size_t from = i + 1 < end && words_[i + 1] == "for" ? i + 2 : i + 1;
-    const std::size_t done = reader_.read(from, end, left_out);
+    std::size_t done = reader_.read(from, end, left_out);
+    NounPhrase there, goes_to;  // "every book but the one on the table to the counter"
+    if (const std::size_t after = reader_.read_place(done, end, there);
+        left_out.word == "one" && after != done && reader_.read_place(after, end, goes_to) != after) {
+      left_out.at.push_back(std::move(there));
+      done = after;
+    }
     if (done != from && !left_out.person && !left_out.unknown && done < end &&
         (place_preposition(words_[done]) || words_[done] == "off" || words_[done] == "from")) {
       left_out.role = Role::kExcept;

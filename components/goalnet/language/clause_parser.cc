@@ -150,6 +150,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   if (const std::size_t done = only_stays(at, end); done != at) return done;
   if (const std::size_t done = namely(at, end); done != at) return done;
   if (const std::size_t done = only_on(at, end); done != at) return done;
+  if (const std::size_t done = trade_places(at, end); done != at) return done;
   if (word == "do_that") return done_that(at, end);
   if (word == "hint") return hint(at, end);
   // "bring the beer, no, I still have to drive, so the coke"

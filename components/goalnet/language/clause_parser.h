@@ -52,6 +52,8 @@ class ClauseParser {
   std::size_t goes_in(std::size_t at, std::size_t end, Clause& clause) const;
   std::size_t state_of_place(std::size_t at, Clause& clause) const;
   std::size_t bears_thing(std::size_t at, std::size_t end, Clause& clause) const;
+  std::size_t is_anything(std::size_t at, std::size_t end);
+  std::size_t trade_places(std::size_t at, std::size_t end);
   std::size_t only_on(std::size_t at, std::size_t end);
   void but_this(std::size_t before);
   std::size_t holds_no(std::size_t at, std::size_t end, Clause& clause) const;
@@ -69,6 +71,7 @@ class ClauseParser {
   std::size_t subordinate(std::size_t at, std::size_t end);
   std::size_t condition(std::size_t at, std::size_t end);
   std::size_t done_first(std::size_t at, std::size_t end);
+  void as_state(Clause& clause) const;
   std::size_t otherwise(std::size_t at, std::size_t end);
   std::size_t forbidden(std::size_t at, std::size_t end);
   std::size_t ensured(std::size_t at, std::size_t end);

@@ -28,6 +28,10 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
     if (language_.hears_people() && i > at && one_of(word, kHangsOn)) return i;
     NounPhrase place;
     if (desired && !negative && clause.mood == Mood::kStatement) {
+      const bool holds = language_.hears_people() && (word == "hold" || word == "bear") && i + 1 < end &&
+                         !clause.phrases.empty() && lexicon_->is_place_name(clause.phrases.front().phrase);
+      if (holds)  // "the shelf should hold the beer"
+        if (const std::size_t done = has_thing(i + 1, end, clause); done != i + 1) return done;
       if (const std::size_t done = comes(i, end, clause); done != i) return done;
       if (const std::size_t done = goes_in(i, end, clause); done != i) return done;
       if (const std::size_t done = where_that_is(i, end, clause); done != i) return done;

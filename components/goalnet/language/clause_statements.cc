@@ -85,6 +85,8 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     ++i;
     for (; i < end && language_.copula(words_[i]); ++i) desired = desired || one_of(words_[i], kDesire);
   }
+  if (judging_)
+    if (const std::size_t done = is_anything(at, end); done != at) return done;
   if (words_[at] == "nothing" || words_[at] == "no") {  // "nothing should be standing on the stove"
     std::size_t k = at + 1;
     NounPhrase only;  // "nothing but pillows belongs on the couch"

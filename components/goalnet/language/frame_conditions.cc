@@ -8,6 +8,12 @@ namespace goalnet::inference {
 
 using namespace symbol;
 
+namespace {
+
+constexpr int kChannels = kChannel6 - kChannel1 + 1;
+
+}  // namespace
+
 std::string FrameActions::check_forbidden(const Clause& clause, const SymState& start) const {
   if (clause.frame == Frame::kTry) {  // "without touching the coke"
     for (const NounPhrase& phrase : clause.phrases) {
@@ -119,6 +125,17 @@ bool FrameActions::wanted(const Clause& clause, Problem& problem) {
 // Whether "the tap is on", "the mug is in the sink" is so now.
 bool FrameActions::holds(const Clause& statement, Problem& problem) {
   const NounPhrase& subject = statement.phrases.front();
+  if (at_home_ && language_.tv_word(subject.phrase) && subject.number > 0) {  // "the tv is on channel three"
+    const bool shown =
+        subject.number <= kChannels && now_.is(kTv_1, static_cast<Symbol>(kChannel1 + subject.number - 1));
+    return (is_on(kTv_1) && shown) != statement.negative;
+  }
+  if (at_home_ && subject.everything && !subject.at.empty()) {  // "anything is on the stove"
+    Objects there = resolver_.options(subject, Sort::kMovable, now_);
+    std::erase_if(there, [&](Symbol object) { return !resolver_.is_where_said(object, subject, now_); });
+    if (!there.empty()) remember(there);
+    return there.empty() == statement.negative;
+  }
   NounPhrase plain = subject;
   plain.at.clear();
   if (at_home_) plain.content.clear();

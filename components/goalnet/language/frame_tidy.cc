@@ -51,6 +51,13 @@ std::string FrameActions::discard(const Clause& clause) {
   }
   if (clause.to_person) return take(clause);                                  // "throw me the remote"
   if (clause.has_particle("in") && clause.first(Role::kDirect) != nullptr) {  // "throw in an egg"
+    const bool bin_told = !last_destination_.empty() && (last_destination_.front() == kGarbageBin_1 ||
+                                                         last_destination_.front() == kGarbageBag_1);
+    if (at_home_ && bin_told) {  // "if the beer is not in the bin, throw it in"
+      Clause binned = clause;
+      binned.particles.clear(), binned.verb = "discard";
+      return discard(binned);
+    }
     Clause added = clause;
     added.frame = Frame::kAdd, added.verb = "add";
     return add_to(added);

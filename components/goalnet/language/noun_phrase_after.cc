@@ -107,9 +107,7 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       continue;
     }
     // "the one the kettle is standing on"
-    if (language_.hears_people() && !phrase.bare() && one_of(word, kDeterminers) &&
-        (phrase.word == "one" || lexicon_.is_place_name(phrase.phrase) ||
-         language_.holds_things(phrase.phrase))) {
+    if (language_.hears_people() && !phrase.bare() && one_of(word, kDeterminers)) {
       const std::size_t done = bears(i, end, phrase, true);
       if (done != i) {
         i = done;
