@@ -85,16 +85,6 @@ void drop_repetitions(Sentence& words, const Language& language) {
     else
       ++i;
   }
-  // "chips, bring me the chips", "salt, I forgot the salt"
-  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
-    const WordSpans spans(words, language);
-    if (!spans.begins(i) || !spans.ends(i + 1) || !may_be_repeated(words[i]) ||
-        language.verb(words[i]) != Frame::kNone)
-      continue;
-    const auto next = words.begin() + static_cast<long>(i) + 2,
-               stop = words.begin() + static_cast<long>(spans.part_end(i + 2));
-    if (std::find(next, stop, words[i]) != stop && stop - next > 2) replace(words, i, i + 2, {});
-  }
   // "stop the tap stop it is flooding the sink"
   for (std::size_t begin = 0; begin < words.size(); ++begin) {
     const WordSpans spans(words, language);
@@ -107,6 +97,19 @@ void drop_repetitions(Sentence& words, const Language& language) {
       replace(words, done, done + 1, {});
     else if (pronoun)
       words[done] = ",";
+  }
+}
+
+// "chips, bring me the chips", "salt, I forgot the salt"
+void drop_topics_named_again(Sentence& words, const Language& language) {
+  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(i) || !spans.ends(i + 1) || !language.names_something(words[i]) ||
+        language.verb(words[i]) != Frame::kNone)
+      continue;
+    const auto next = words.begin() + static_cast<long>(i) + 2,
+               stop = words.begin() + static_cast<long>(spans.part_end(i + 2));
+    if (std::find(next, stop, words[i]) != stop && stop - next > 2) replace(words, i, i + 2, {});
   }
 }
 

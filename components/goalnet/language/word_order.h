@@ -13,6 +13,7 @@ using Sentence = std::vector<std::string>;
 // false_starts.cc: "turn on the, what's it called, the tv" -> "turn on the tv"; "coke coke coke" -> "coke".
 void drop_false_starts(Sentence& words, const Language& language);
 void drop_repetitions(Sentence& words, const Language& language);
+void drop_topics_named_again(Sentence& words, const Language& language);
 // run_on.cc: pauses where speech has none, "ice cream in the fridge it is melting", "in the sink no in the
 // fridge"; and asides between pauses that only ask for assent (", isn't it,").
 void drop_tags(Sentence& words, const Language& language);

@@ -107,6 +107,7 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   drop_false_starts(text, language);
   ask_for_any(text, language);
   part_run_ons(text, language);
+  drop_topics_named_again(text, language);
   drop_lead_ins(text, language);
   mark_retractions(text, language);
   keep_the_contrast(text, language);
