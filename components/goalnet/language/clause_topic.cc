@@ -164,6 +164,8 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
   static constexpr std::array kYes = {"yes"sv, "yeah"sv, "yep"sv, "yup"sv, "aye"sv, "okay"sv, "ok"sv};
   while (language_.hears_people() && next + 2 < end && one_of(words_[next], kYes) && words_[next + 1] == ",")
     next += 2;  // "the book on the shelf, yes, I need it"
+  while (language_.hears_people() && next + 1 < end && words_[next] == "so")
+    ++next;  // "..., so put one there"
   // "the plates, they go in the sink"
   const bool subject_again = language_.hears_people() && next + 1 < end &&
                              (words_[next] == "it" || words_[next] == "they" || words_[next] == "them") &&
@@ -172,11 +174,13 @@ std::size_t ClauseParser::topic(std::size_t at, std::size_t end) {
       !subject_again)
     return at;
   bool refers = subject_again;
+  const std::string topic_name = phrase.phrase;
   for (std::size_t i = next; i < end && words_[i] != ","; ++i)
     refers = refers || words_[i] == "it" ||
              ((words_[i] == "all" || words_[i] == "both") &&
               (i == next || i + 2 >= end || number_word(words_[i + 1]) > 0)) ||
              words_[i] == "them" || words_[i] == "that" ||
+             (words_[i] == "there" && language_.hears_people() && lexicon_->is_place_name(topic_name)) ||
              ((words_[i] == "in" || words_[i] == "on") && (i + 1 >= end || words_[i + 1] == ","));
   if (next >= end || !refers) return at;
   Clause clause;

@@ -157,7 +157,8 @@ void supply_what_lacks(Sentence& words, const Language& language) {
             "there isnt a", "there isnt any", "there is not one", "there is not a single"});
     if (no == i) continue;
     const std::size_t thing = spans.thing(no), place = spans.place(thing);
-    if (thing == no || place == thing || !spans.ends(place) || language.content(words[no]) != symbol::kNone)
+    if (thing == no || place == thing || !spans.ends(place) ||
+        (language.content(words[no]) == symbol::kWater || language.content(words[no]) == symbol::kCoffee))
       continue;
     words[static_cast<std::size_t>(asked - words.begin())] = "please";
     replace(words, i, no, {"put"});

@@ -68,6 +68,21 @@ void drop_false_starts(Sentence& words, const Language& language) {
   }
 }
 
+// "the controller thing"; "salt, the thing in the white packet"
+void drop_nameless(Sentence& words, const Language& language) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const WordSpans spans(words, language);
+    if (!one_of(words[i], kNameless)) continue;
+    const std::size_t end = spans.part_end(i);
+    if (spans.name(i - 1) > 0 && language.content(words[i - 1]) == symbol::kNone &&
+        (spans.ends(spans.skip_small(i + 1)) || place_preposition(words[i + 1])))
+      replace(words, i, i + 1, {});
+    else if (words[i - 1] == "the" && i > 2 && words[i - 2] == "," && spans.names(0, i - 2) &&
+             !spans.names(i, end) && end > i + 1)
+      replace(words, i - 2, end, {});
+  }
+}
+
 void drop_repetitions(Sentence& words, const Language& language) {
   const auto may_be_repeated = [&](const std::string& word) {
     return language.names_something(word) || word == "please" || word == "now" || word == "stop" ||

@@ -52,6 +52,17 @@ bool somebody_comes(const Sentence& words, const WordSpans& spans, const Languag
 }  // namespace
 
 void drop_lead_ins(Sentence& words, const Language& language) {
+  for (std::size_t at = 0; at + 4 < words.size(); ++at) {  // "I would put it in the freezer if I were you"
+    const WordSpans spans(words, language);
+    const std::size_t end =
+        spans.phrase(at, {"if i were you", "if i was you", "if it were me", "if it was me"});
+    if (end == at || at == 0 || !spans.ends(end)) continue;
+    std::size_t would = at;
+    while (would > 0 && words[would] != "." && !(words[would - 1] == "i" && words[would] == "would")) --would;
+    if (would == 0 || !spans.order(would + 1)) continue;
+    replace(words, at, end, {});
+    replace(words, would - 1, would + 1, {"please"});
+  }
   for (std::size_t at = 0; at + 4 < words.size(); ++at) {
     const WordSpans spans(words, language);
     const std::size_t done =

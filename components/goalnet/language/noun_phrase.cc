@@ -116,8 +116,10 @@ std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounP
       const bool alone = language_.hears_people() && i > at && one_of(words_.text[i - 1], kPointers) &&
                          i + 1 < end && one_of(words_.text[i + 1], kArticles);
       // "the one my bowl is on"
-      const bool relative_follows = language_.hears_people() && word == "one" && determined && i + 1 < end &&
-                                    one_of(words_.text[i + 1], kDeterminers);
+      const bool relative_follows =
+          language_.hears_people() && word == "one" && determined && i + 1 < end &&
+          (one_of(words_.text[i + 1], kDeterminers) ||
+           (words_.text[i + 1] == "that" && i + 2 < end && language_.copula(words_.text[i + 2])));
       const bool counts = starts(i + 1, end) && !alone && !relative_follows;
       if (word == "one" && determined && !counts && !(i + 1 < end && words_.text[i + 1] == "of")) break;
       if (in_place_ && (i + 1 >= end || language_.joins(words_.text[i + 1]))) {  // "change the channel to 5"

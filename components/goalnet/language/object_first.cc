@@ -81,6 +81,30 @@ void verbs_first(Sentence& words, const Language& language) {
       replace(words, i + 1, i + 2, {});
 }
 
+// "in the bin the chips" -> "the chips in the bin"; "on the counter I want it" -> "i want it on the counter"
+void places_last(Sentence& words, const Language& language) {
+  for (std::size_t begin = 0; begin + 3 < words.size(); ++begin) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(begin) && words[begin - 1] != "and") continue;
+    const std::size_t at = spans.skip_small(begin), place = spans.place(at);
+    if (place == at || spans.ends(place)) continue;
+    const std::size_t wish = spans.phrase(place, {"i want", "i need", "i would like", "we want"});
+    std::size_t thing = wish;
+    if (wish == place && (!one_of(words[place], kArticles) || words[at] == "at")) continue;
+    thing = spans.is_one(wish, {"it", "them", "that"}) ? wish + 1 : spans.things(wish);
+    const std::size_t end = spans.place(thing);
+    if (thing == wish || !spans.ends(spans.skip_small(end)) || (end != thing && words[at] != "from"))
+      continue;
+    Sentence said = cut(words, place, thing);
+    if (wish == place && words[at] == "from" && end == thing) continue;
+    if (wish == place) said.insert(said.begin(), "put");
+    const Sentence first = cut(words, at, place), second = cut(words, thing, end);
+    said.insert(said.end(), first.begin(), first.end());
+    said.insert(said.end(), second.begin(), second.end());
+    replace(words, at, end, said);
+  }
+}
+
 // "the chips I would like", "the fork, that one I need"
 void wished_things_last(Sentence& words, const Language& language) {
   for (std::size_t begin = 0; begin + 2 < words.size(); ++begin) {
@@ -115,6 +139,19 @@ void wished_things_last(Sentence& words, const Language& language) {
 }
 
 void uncleave(Sentence& words, const Language& language) {
+  for (std::size_t at = 2; at + 4 < words.size(); ++at) {  // "a coke, that's what I need"
+    const WordSpans spans(words, language);
+    if (words[at - 1] != ",") continue;
+    const std::size_t wish =
+        spans.phrase(at, {"that is what i want", "that is what i need", "that is what i would like",
+                          "that is all i need", "that is all i want", "this is what i want",
+                          "that is what we need", "that is what i really want"});
+    const std::size_t begin = spans.skip_small(spans.part_begin(at - 2));
+    if (wish == at || !spans.ends(wish) || spans.thing(begin) == begin) continue;
+    if (const std::size_t done = spans.place(spans.thing(begin)); done != at - 1) continue;
+    replace(words, at - 1, wish, {});
+    words.insert(words.begin() + static_cast<long>(begin), {"i", "want"});
+  }
   for (std::size_t begin = 0; begin + 4 < words.size(); ++begin) {
     const WordSpans spans(words, language);
     if (!spans.begins(begin) && words[begin - 1] != "and" && words[begin - 1] != "so") continue;

@@ -82,6 +82,17 @@ void drop_tags(Sentence& words, const Language& language) {
       replace(words, i - 1, joke, {});
       continue;
     }
+    // "one of those, I don't care which, on my couch"
+    const std::size_t any = spans.phrase(
+        i, {"i dont care which", "i dont care which one", "i do not care which one", "dont care which",
+            "doesnt matter which", "it doesnt matter which one", "doesnt matter which one",
+            "it doesnt matter which", "no matter which", "whichever", "you choose", "your choice",
+            "i dont mind which", "i dont mind which one", "whichever one"});
+    if (any != i && words[i - 1] == "," && any + 1 < words.size() && words[any] == "," &&
+        spans.place(any + 1) != any + 1) {
+      replace(words, i - 1, any + 1, {});
+      continue;
+    }
     const bool tag =
         spans.ends(i - 1) && one_of(words[i], kNot) && one_of(words[i + 1], kWho) && spans.ends(i + 2);
     if (tag)
@@ -92,6 +103,14 @@ void drop_tags(Sentence& words, const Language& language) {
 }
 
 void part_run_ons(Sentence& words, const Language& language) {
+  for (std::size_t i = 1; i + 2 < words.size(); ++i) {  // "that pillow over there on armchair two"
+    const WordSpans spans(words, language);
+    const std::size_t there =
+        spans.phrase(i, {"there", "over there", "up there", "down there", "lying there", "standing there"});
+    if (there != i && !spans.ends(i - 1) && spans.name(i - 1) > 0 && spans.place(there) != there &&
+        !spans.orders(spans.part_begin(i), i))
+      replace(words, i, there, {});
+  }
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
     const WordSpans spans(words, language);
     if (spans.ends(i) || spans.ends(i - 1)) continue;

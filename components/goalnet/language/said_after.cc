@@ -56,13 +56,36 @@ void counts_said_after(Sentence& words, const Language& language) {
   }
 }
 
+// "on the stove, the second burner" -> "on the second burner"; "on the table, the coffee one"
+void places_said_after(Sentence& words, const Language& language) {
+  for (std::size_t at = 3; at + 1 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (words[at - 1] != "," || words[at] != "the" || spans.ends(at + 1)) continue;
+    std::size_t place = at - 2;
+    while (place > 0 && !spans.ends(place) && spans.place(place) != at - 1) --place;
+    const std::size_t done = spans.thing(at);
+    if (spans.place(place) != at - 1) continue;
+    const bool other_name = words[at + 2 < words.size() ? at + 2 : at] == "one" &&
+                            language.names_place(words[at + 1] + " " + words[at - 2]);
+    if (other_name && spans.ends(spans.skip_small(at + 3))) {
+      words[at + 2] = words[at - 2];
+      replace(words, place + 1, at, {});
+      continue;
+    }
+    const bool burner = spans.is_one(at - 2, {"stove", "cooker", "hob"}) && done > at &&
+                        spans.is_one(done - 1, {"burner", "flame", "ring", "hotplate", "fire"});
+    if (burner && spans.ends(spans.skip_small(done))) replace(words, place + 1, at, {});
+  }
+}
+
 // "her armchair, it is the only one without a pillow" -> "her armchair without a pillow"
 void descriptions_said_after(Sentence& words, const Language& language) {
   for (std::size_t at = 2; at + 3 < words.size(); ++at) {
     const WordSpans spans(words, language);
     if (words[at - 1] != ",") continue;
-    const std::size_t one =
-        spans.phrase(at, {"it is the one", "it is the only one", "that is the one", "that is the only one"});
+    const std::size_t one = spans.phrase(
+        at, {"it is the one", "it is the only one", "that is the one", "that is the only one",
+             "the one i left", "the one that i left", "the one i put", "the one i saw", "the one i had"});
     if (one == at || spans.ends(one)) continue;
     std::size_t noun = at - 2;
     while (noun > 0 && !spans.ends(noun - 1) && spans.thing(noun - 1) == at - 1) --noun;
@@ -72,6 +95,10 @@ void descriptions_said_after(Sentence& words, const Language& language) {
     const std::size_t place =
         spans.is_one(from, {"without", "with"}) ? spans.thing(from + 1) : spans.place(from);
     if (!told || place == from) continue;
+    if (words[at] == "the")  // "the one I left on the table yesterday"
+      while (spans.is_one(
+          place, {"yesterday", "earlier", "before", "there", "last", "night", "this", "morning", "today"}))
+        words.erase(words.begin() + static_cast<long>(place));
     replace(words, at - 1, from, {});
   }
 }

@@ -86,6 +86,39 @@ void join_thing_and_place(Sentence& words, const Language& language) {
   replace(words, thing, done, order);
 }
 
+// "is that the coke? fridge with it"; "do not put it on the shelf, counter instead"
+void short_places(Sentence& words, const Language& language) {
+  for (std::size_t at = 1; at + 1 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(at)) continue;
+    const std::size_t begin = spans.skip_small(at), place = spans.somewhere(begin);
+    if (place == begin || spans.place(begin) == place) continue;
+    const bool known_place =
+        language.names_place(words[place - 1]) ||
+        (place - begin > 1 && language.names_place(words[place - 2] + " " + words[place - 1]));
+    const std::size_t with_it = spans.phrase(place, {"with it", "with them", "with that", "with those"});
+    const std::size_t instead = spans.phrase(place, {"instead", "rather"});
+    const std::size_t end = std::max(with_it, instead);
+    if (!known_place || end == place || !spans.ends(spans.skip_small(end))) continue;
+    const bool forbids = spans.is_one(0, {"not", "dont", "do", "never", "please"});
+    if (instead != place && !forbids) continue;
+    Sentence order = {"put", with_it != place ? words[with_it - 1] : "it", "to"};
+    const Sentence where = cut(words, begin, place);
+    order.insert(order.end(), where.begin(), where.end());
+    replace(words, begin, end, order);
+  }
+  // "coffee cold again. microwave."
+  for (std::size_t at = 2; at < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(at) || words[at] != "microwave" || !spans.ends(spans.skip_small(at + 1))) continue;
+    for (std::size_t i = 0; i < at; ++i)
+      if (spans.is_one(i, {"cold", "lukewarm", "tepid"})) {
+        words.insert(words.begin() + static_cast<long>(at) + 1, "it");
+        return;
+      }
+  }
+}
+
 // "I found the coke, it is warm, so fridge" -> "..., so put it to fridge"
 void put_it_there(Sentence& words, const Language& language) {
   const WordSpans spans(words, language);

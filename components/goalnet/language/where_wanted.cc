@@ -85,9 +85,30 @@ bool suggested(Sentence& words, const Language& language, std::size_t at) {
   return true;
 }
 
+// "where the plate is, there put the bowl" -> "put the bowl where the plate is"
+void where_that_stands(Sentence& words, const Language& language) {
+  for (std::size_t at = 0; at + 5 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(at) || words[at] != "where") continue;
+    const std::size_t thing = spans.thing(at + 1);
+    const std::size_t is = spans.phrase(thing, {"is", "are", "stands", "is standing", "lies", "is lying"});
+    if (thing == at + 1 || is == thing || !spans.is(is, ",")) continue;
+    const std::size_t verb = spans.phrase(is + 1, {"there", "please", "there please", "that is where"});
+    if (!spans.order(verb)) continue;
+    const Sentence where = cut(words, at, is);
+    const std::size_t end = spans.part_end(verb);
+    Sentence order = cut(words, verb, end);
+    std::erase(order, "also");
+    std::erase(order, "there");
+    order.insert(order.end(), where.begin(), where.end());
+    replace(words, at, end, order);
+  }
+}
+
 }  // namespace
 
 void put_where_wanted(Sentence& words, const Language& language) {
+  where_that_stands(words, language);
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (suggested(words, language, i)) continue;
     const WordSpans spans(words, language);

@@ -12,6 +12,7 @@ using Sentence = std::vector<std::string>;
 
 // false_starts.cc: "turn on the, what's it called, the tv" -> "turn on the tv"; "coke coke coke" -> "coke".
 void drop_false_starts(Sentence& words, const Language& language);
+void drop_nameless(Sentence& words, const Language& language);
 void drop_repetitions(Sentence& words, const Language& language);
 void drop_topics_named_again(Sentence& words, const Language& language);
 // run_on.cc: pauses where speech has none, "ice cream in the fridge it is melting", "in the sink no in the
@@ -37,6 +38,7 @@ void supply_what_lacks(Sentence& words, const Language& language);
 // like"
 // -> "i would like the chips"; "is too loud the tv" -> "the tv is too loud"; "the tap please to turn on".
 void verbs_first(Sentence& words, const Language& language);
+void places_last(Sentence& words, const Language& language);
 void wished_things_last(Sentence& words, const Language& language);
 void subjects_first(Sentence& words, const Language& language);
 // "all she drinks is coke" -> "she drinks coke"; "the coffee has to go down the drain" -> "empty the coffee".
@@ -50,6 +52,7 @@ void keep_the_contrast(Sentence& words, const Language& language);
 // book." -> "wish any book".
 void numbers_said_after(Sentence& words, const Language& language);
 void counts_said_after(Sentence& words, const Language& language);
+void places_said_after(Sentence& words, const Language& language);
 void descriptions_said_after(Sentence& words, const Language& language);
 void ask_for_any(Sentence& words, const Language& language);
 // lead_ins.cc: "you know what would be nice, a coke" -> "wish a coke"; "had a terrible night. ..."; "friends
@@ -59,6 +62,7 @@ void drop_lead_ins(Sentence& words, const Language& language);
 // burner one"; "coke, glass, pour it" -> "pour coke into glass"; "..., so fridge" -> "so put it to fridge".
 void spell_out_steps(Sentence& words, const Language& language);
 void join_thing_and_place(Sentence& words, const Language& language);
+void short_places(Sentence& words, const Language& language);
 void put_it_there(Sentence& words, const Language& language);
 
 }  // namespace goalnet::inference

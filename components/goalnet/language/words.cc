@@ -105,6 +105,7 @@ bool is_sound(const std::string& word, bool hears_people) {
 void in_usual_order(std::vector<std::string>& text, const Language& language) {
   drop_repetitions(text, language);
   drop_false_starts(text, language);
+  drop_nameless(text, language);
   ask_for_any(text, language);
   part_run_ons(text, language);
   drop_topics_named_again(text, language);
@@ -119,15 +120,18 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   counts_said_after(text, language);
   numbers_said_after(text, language);
   descriptions_said_after(text, language);
+  places_said_after(text, language);
   subjects_first(text, language);
   uncleave(text, language);
   let_it_go(text, language);
   verbs_first(text, language);
+  places_last(text, language);
   wished_things_last(text, language);
   name_what_comes_last(text, language);
   spell_out_steps(text, language);
   join_thing_and_place(text, language);
   put_it_there(text, language);
+  short_places(text, language);
 }
 
 }  // namespace
