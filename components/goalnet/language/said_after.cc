@@ -95,11 +95,12 @@ void descriptions_said_after(Sentence& words, const Language& language) {
     const std::size_t place =
         spans.is_one(from, {"without", "with"}) ? spans.thing(from + 1) : spans.place(from);
     if (!told || place == from) continue;
-    if (words[at] == "the")  // "the one I left on the table yesterday"
+    const bool left = words[at] == "the";  // "the one I left on the table yesterday"
+    if (left)
       while (spans.is_one(
           place, {"yesterday", "earlier", "before", "there", "last", "night", "this", "morning", "today"}))
         words.erase(words.begin() + static_cast<long>(place));
-    replace(words, at - 1, from, {});
+    replace(words, at - 1, from, left ? Sentence{"that", "is"} : Sentence{});
   }
 }
 
