@@ -54,13 +54,15 @@ bool ClauseParser::tells_time(std::size_t at, std::size_t stop) const {
          (words_[stop - 3] == "in" || (stop > at + 3 && words_[stop - 4] == "in"));
 }
 
-// "it starts right now", "he plays too loud": what somebody or something does, no command.
-bool ClauseParser::third_person(std::size_t at, std::size_t end) const {
+// "it starts right now": what somebody or something does, no command; `at` where it is none.
+std::size_t ClauseParser::third_person(std::size_t at, std::size_t end) {
   static constexpr std::array kWho = {"it"sv, "he"sv, "she"sv};
-  return language_.hears_people() && at + 1 < end && one_of(words_[at], kWho) && all_words_->plural[at + 1] &&
-         language_.english_verb(words_[at + 1]) && language_.verb(words_[at + 1]) == Frame::kStart &&
-         !one_of(words_[at + 1], kDesire) && !language_.copula(words_[at + 1]) &&
-         reader_.name_length(at + 1) == 0;
+  if (!language_.hears_people() || at + 1 >= end || !one_of(words_[at], kWho) ||
+      !all_words_->plural[at + 1] || !language_.english_verb(words_[at + 1]) ||
+      language_.verb(words_[at + 1]) != Frame::kStart || reader_.name_length(at + 1) > 0)
+    return at;
+  add_told(at, part_end(at, end));
+  return part_end(at, end);
 }
 
 // "movie night!", "bedtime, kids": one or two words on their own that name and do nothing here.

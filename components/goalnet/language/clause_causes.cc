@@ -31,28 +31,6 @@ std::size_t ClauseParser::caused(std::size_t at, std::size_t end, Clause& clause
   return at + 1;
 }
 
-// "(if) anything is on the stove", "nothing is on it", "no pillow is on the couch"; `at` where it is none.
-std::size_t ClauseParser::is_anything(std::size_t at, std::size_t end) {
-  NounPhrase thing, place;
-  const bool nothing = words_[at] == "nothing", no = words_[at] == "no";
-  std::size_t k = at + 1;
-  if (nothing)
-    thing.everything = thing.plural = thing.all = true, thing.word = "anything";
-  else
-    k = reader_.read(no ? at + 1 : at, end, thing);
-  if (!nothing && !no && !thing.everything) return at;
-  while (k < end && (language_.copula(words_[k]) || one_of(words_[k], kLying))) ++k;
-  const std::size_t done = reader_.read_place(k, end, place);
-  const bool told = thing.at.empty() && done != k && !place.person && !place.hand;
-  if (told) thing.at.push_back(std::move(place));
-  if (thing.at.empty() || thing.unknown || thing.person || thing.bare()) return at;
-  Clause clause;
-  clause.mood = Mood::kStatement, clause.negative = nothing || no;
-  clause.phrases = {std::move(thing)};
-  add(std::move(clause));
-  return told ? done : k;
-}
-
 // "the coke and the remote swap places"; `at` where it is none.
 std::size_t ClauseParser::trade_places(std::size_t at, std::size_t end) {
   static constexpr std::array kTrade = {"swap"sv, "trade"sv, "exchange"sv, "switch"sv, "change"sv};
@@ -74,47 +52,6 @@ std::size_t ClauseParser::trade_places(std::size_t at, std::size_t end) {
   clause.frame = Frame::kSwap, clause.verb = "swap", clause.phrases = std::move(things);
   add(std::move(clause));
   return part_end(i + 2, end);
-}
-
-// "only burner four should be on": that one, and no other; `at` where it is none.
-std::size_t ClauseParser::only_on(std::size_t at, std::size_t end) {
-  if (!language_.hears_people() || words_[at] != "only") return at;
-  NounPhrase thing;
-  const std::size_t named = reader_.read(at + 1, end, thing);
-  if (named == at + 1 || thing.person || thing.unknown || thing.pronoun || thing.bare()) return at;
-  std::size_t k = named;
-  bool wanted = false;
-  for (; k < end && (language_.copula(words_[k]) || one_of(words_[k], kDesire)); ++k)
-    wanted = wanted || one_of(words_[k], kDesire);
-  if (!wanted || k >= end || language_.wanted_by_state(words_[k]) != Frame::kStart || !ends_here(k + 1, end))
-    return at;
-  Clause on, off;
-  on.frame = Frame::kStart, on.verb = "start", on.phrases = {thing};
-  off.frame = Frame::kStop, off.verb = "stop";
-  NounPhrase all;
-  all.phrase = all.word = thing.phrase, all.all = all.plural = true;
-  thing.role = Role::kExcept;
-  off.phrases = {std::move(all), std::move(thing)};
-  add(std::move(off));
-  add(std::move(on));
-  return part_end(k + 1, end);
-}
-
-// "do not bring the coke but the beer": the second is asked for. `before`: clauses before it was read.
-void ClauseParser::but_this(std::size_t before) {
-  if (!language_.hears_people() || result_.clauses.size() != before + 1) return;
-  Clause& forbidden = result_.clauses.back();
-  const NounPhrase* not_this = forbidden.first(Role::kDirect);
-  if (forbidden.mood != Mood::kForbidden || not_this == nullptr || not_this->everything || not_this->all ||
-      not_this->plural || forbidden.first(Role::kExcept) == nullptr)
-    return;
-  Clause asked = forbidden;
-  std::erase_if(asked.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kDirect; });
-  for (NounPhrase& phrase : asked.phrases)
-    if (phrase.role == Role::kExcept) phrase.role = Role::kDirect;
-  asked.mood = Mood::kCommand;
-  std::erase_if(forbidden.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kExcept; });
-  add(std::move(asked));
 }
 
 std::size_t ClauseParser::comes(std::size_t at, std::size_t end, Clause& clause) const {
@@ -226,51 +163,6 @@ std::size_t ClauseParser::goes_in(std::size_t at, std::size_t end, Clause& claus
   clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put", clause.belongs = true;
   clause.phrases.push_back(std::move(place));
   return there ? at + 2 : at + 1;
-}
-
-// "(if the armchair is) free", "(the couch is) full"; `at` where it is none.
-std::size_t ClauseParser::state_of_place(std::size_t at, Clause& clause) const {
-  static constexpr std::array kHow = {"free"sv, "full"sv, "empty"sv};
-  if (!language_.hears_people() || !one_of(words_[at], kHow) || !clause.state.empty() ||
-      clause.phrases.empty() || !lexicon_->is_place_name(clause.phrases.front().phrase) ||
-      language_.holds_things(clause.phrases.front().phrase))
-    return at;
-  clause.state = words_[at];
-  return at + 1;
-}
-
-// "(the xbox has) a disc in it", "(the armchair has) no pillow on it": the disc is in the xbox; `at` where it
-// is none.
-std::size_t ClauseParser::bears_thing(std::size_t at, std::size_t end, Clause& clause) const {
-  if (!language_.hears_people() || !judging_ || at == 0 || clause.phrases.size() != 1 ||
-      (words_[at - 1] != "has" && words_[at - 1] != "have"))
-    return at;
-  const std::size_t from = words_[at] == "no" ? at + 1 : at;
-  NounPhrase thing, there;
-  const std::size_t named = reader_.read(from, end, thing);
-  const std::size_t done = named == from ? named : reader_.read_place(named, end, there);
-  if (named == from || done == named || !there.pronoun || thing.person || thing.unknown || thing.bare() ||
-      language_.content(thing.phrase) != symbol::kNone)
-    return at;
-  NounPhrase holder = clause.phrases.front();
-  holder.where = there.where;
-  thing.at = {std::move(holder)};
-  clause.phrases = {std::move(thing)};
-  clause.negative = from > at;
-  return done;
-}
-
-// "(the kettle has) no water (in it)"; `at` where it is none.
-std::size_t ClauseParser::holds_no(std::size_t at, std::size_t end, Clause& clause) const {
-  if (!language_.hears_people() || at + 1 >= end || words_[at] != "no" || clause.phrases.empty() ||
-      !clause.phrases.front().content.empty() || !language_.holds_things(clause.phrases.front().phrase))
-    return at;
-  NounPhrase content;
-  const std::size_t done = reader_.read(at + 1, end, content);
-  if (done == at + 1 || language_.content(content.phrase) == symbol::kNone) return at;
-  clause.phrases.front().content = content.phrase, clause.negative = true;
-  const bool in_it = done + 1 < end && words_[done] == "in" && is_pronoun(words_[done + 1]);
-  return in_it ? done + 2 : done;
 }
 
 }  // namespace goalnet::inference

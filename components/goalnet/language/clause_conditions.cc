@@ -37,7 +37,7 @@ std::size_t ClauseParser::condition(std::size_t at, std::size_t end) {
          !(language_.hears_people() && words_[stop] == "otherwise") &&
          !(stop > at + 2 && opens_command(stop, end) &&
            language_.wanted_by_state(words_[stop]) == Frame::kNone &&
-           !(language_.hears_people() && words_[stop] == "free")))
+           !(language_.hears_people() && (words_[stop] == "free" || one_of(words_[stop], kLying)))))
     ++stop;
   // "fill the kettle if it is empty and boil it"
   const bool goes_on = language_.hears_people() && stop < end && stop > at + 2 && words_[stop - 1] == "and";

@@ -91,4 +91,45 @@ std::size_t ClauseParser::subject_but(std::size_t at, std::size_t end, NounPhras
   return done;
 }
 
+// "only burner four should be on": that one, and no other; `at` where it is none.
+std::size_t ClauseParser::only_on(std::size_t at, std::size_t end) {
+  if (!language_.hears_people() || words_[at] != "only") return at;
+  NounPhrase thing;
+  const std::size_t named = reader_.read(at + 1, end, thing);
+  if (named == at + 1 || thing.person || thing.unknown || thing.pronoun || thing.bare()) return at;
+  std::size_t k = named;
+  bool wanted = false;
+  for (; k < end && (language_.copula(words_[k]) || one_of(words_[k], kDesire)); ++k)
+    wanted = wanted || one_of(words_[k], kDesire);
+  if (!wanted || k >= end || language_.wanted_by_state(words_[k]) != Frame::kStart || !ends_here(k + 1, end))
+    return at;
+  Clause on, off;
+  on.frame = Frame::kStart, on.verb = "start", on.phrases = {thing};
+  off.frame = Frame::kStop, off.verb = "stop";
+  NounPhrase all;
+  all.phrase = all.word = thing.phrase, all.all = all.plural = true;
+  thing.role = Role::kExcept;
+  off.phrases = {std::move(all), std::move(thing)};
+  add(std::move(off));
+  add(std::move(on));
+  return part_end(k + 1, end);
+}
+
+// "do not bring the coke but the beer": the second is asked for. `before`: clauses before it was read.
+void ClauseParser::but_this(std::size_t before) {
+  if (!language_.hears_people() || result_.clauses.size() != before + 1) return;
+  Clause& forbidden = result_.clauses.back();
+  const NounPhrase* not_this = forbidden.first(Role::kDirect);
+  if (forbidden.mood != Mood::kForbidden || not_this == nullptr || not_this->everything || not_this->all ||
+      not_this->plural || forbidden.first(Role::kExcept) == nullptr)
+    return;
+  Clause asked = forbidden;
+  std::erase_if(asked.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kDirect; });
+  for (NounPhrase& phrase : asked.phrases)
+    if (phrase.role == Role::kExcept) phrase.role = Role::kDirect;
+  asked.mood = Mood::kCommand;
+  std::erase_if(forbidden.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kExcept; });
+  add(std::move(asked));
+}
+
 }  // namespace goalnet::inference

@@ -108,46 +108,7 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
     add(std::move(clause));
     return i + 2;
   }
-  const bool out_of = language_.hears_people() && i + 2 < end && words_[i] == "out" && words_[i + 1] == "of";
-  if (i + 1 < end && (words_[i] == "off" || out_of)) {  // "everything off the stove", "spoon out of the mug"
-    const std::size_t from = out_of ? i + 2 : i + 1;
-    const std::size_t done = reader_.read(from, end, place, true);
-    NounPhrase to;
-    const bool moves = out_of && reader_.read_place(done, end, to) != done;
-    if (done != from && !place.unknown && !place.person && !moves) {
-      clause.frame = Frame::kTake, clause.verb = "take";
-      place.role = Role::kSource;
-      clause.phrases.push_back(place);
-      add(std::move(clause));
-      return done;
-    }
-    place = {};
-  }
-  if (i + 1 < end && words_[i] == "for") {  // "a pillow for every armchair"
-    const std::size_t done = reader_.read(i + 1, end, place, true);
-    // "one long cup for coke"
-    if (language_.hears_people() && done != i + 1 && ends_here(done, end) &&
-        language_.content(place.phrase) != symbol::kNone && language_.holds_things(subject.phrase) &&
-        subject.content.empty()) {
-      clause.frame = Frame::kFill, clause.verb = "fill";
-      place.role = Role::kWith;
-      clause.phrases.push_back(std::move(place));
-      add(std::move(clause));
-      return done;
-    }
-    const bool holder = language_.hears_people() && !place.unknown && !place.person &&
-                        (lexicon_->is_place_name(place.phrase) || language_.holds_things(place.phrase) ||
-                         (subject.some && language_.content(place.phrase) != symbol::kNone));
-    if (done != i + 1 && (place.all || holder) && (lexicon_->is_place_name(place.phrase) || holder)) {
-      clause.frame = Frame::kPlace, clause.verb = "put";
-      place.role = Role::kDestination,
-      place.where = language_.holds_things(place.phrase) ? Where::kIn : Where::kOn;
-      clause.phrases.push_back(place);
-      add(std::move(clause));
-      return done;
-    }
-    place = {};
-  }
+  if (const std::size_t done = off_or_for(i, end, clause, subject); done != i) return done;
   if (const std::size_t done = reader_.read_place(i, end, place);
       language_.hears_people() && done != i && (place.person || place.hand) && ends_here(done, end)) {
     clause.frame = Frame::kTake, clause.verb = "bring", clause.to_person = clause.wish = true;

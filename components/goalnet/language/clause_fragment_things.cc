@@ -152,4 +152,52 @@ bool ClauseParser::says_nothing_here(std::size_t at, std::size_t end) const {
   return other_words;
 }
 
+// "everything off the stove", "spoon out of the mug", "a pillow for every armchair", "one cup for coke": adds
+// the clause; `i` where it is none.
+std::size_t ClauseParser::off_or_for(std::size_t i, std::size_t end, Clause& clause,
+                                     const NounPhrase& subject) {
+  NounPhrase place;
+  const bool out_of = language_.hears_people() && i + 2 < end && words_[i] == "out" && words_[i + 1] == "of";
+  if (i + 1 < end && (words_[i] == "off" || out_of)) {  // "everything off the stove", "spoon out of the mug"
+    const std::size_t from = out_of ? i + 2 : i + 1;
+    const std::size_t done = reader_.read(from, end, place, true);
+    NounPhrase to;
+    const bool moves = out_of && reader_.read_place(done, end, to) != done;
+    if (done != from && !place.unknown && !place.person && !moves) {
+      clause.frame = Frame::kTake, clause.verb = "take";
+      place.role = Role::kSource;
+      clause.phrases.push_back(place);
+      add(std::move(clause));
+      return done;
+    }
+    place = {};
+  }
+  if (i + 1 < end && words_[i] == "for") {  // "a pillow for every armchair"
+    const std::size_t done = reader_.read(i + 1, end, place, true);
+    // "one long cup for coke"
+    if (language_.hears_people() && done != i + 1 && ends_here(done, end) &&
+        language_.content(place.phrase) != symbol::kNone && language_.holds_things(subject.phrase) &&
+        subject.content.empty()) {
+      clause.frame = Frame::kFill, clause.verb = "fill";
+      place.role = Role::kWith;
+      clause.phrases.push_back(std::move(place));
+      add(std::move(clause));
+      return done;
+    }
+    const bool holder = language_.hears_people() && !place.unknown && !place.person &&
+                        (lexicon_->is_place_name(place.phrase) || language_.holds_things(place.phrase) ||
+                         (subject.some && language_.content(place.phrase) != symbol::kNone));
+    if (done != i + 1 && (place.all || holder) && (lexicon_->is_place_name(place.phrase) || holder)) {
+      clause.frame = Frame::kPlace, clause.verb = "put";
+      place.role = Role::kDestination,
+      place.where = language_.holds_things(place.phrase) ? Where::kIn : Where::kOn;
+      clause.phrases.push_back(place);
+      add(std::move(clause));
+      return done;
+    }
+    place = {};
+  }
+  return i;
+}
+
 }  // namespace goalnet::inference

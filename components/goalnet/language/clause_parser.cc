@@ -68,10 +68,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
     add_told(at + 1, skip_part(at, end));
     return skip_part(at, end);
   }
-  if (third_person(at, end)) {  // "it starts right now"
-    add_told(at, part_end(at, end));
-    return part_end(at, end);
-  }
+  if (const std::size_t stop = third_person(at, end); stop != at) return stop;
   if (language_.hears_people() && words_[at] == "whoever") {  // "whoever left the tap on should be ashamed"
     add_told(at, part_end(at, end));
     return part_end(at, end);
@@ -83,27 +80,9 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   at = skip_joins(at, end);
   if (at >= end) return at;
   if (at > joined) first_of_all(joined, at, end);
-  if (NounPhrase none; language_.hears_people() && at > joined && words_[at - 1] == "no" &&
-                       !result_.clauses.empty() && reader_.name_length(at) > 0) {
-    const std::size_t done = reader_.read(at, end, none);  // "..., no syrup": is left out anyway
-    if (done != at && ends_here(done, end)) {
-      Clause& asked = result_.clauses.back();  // "something to drink, but no beer"
-      if (asked.mood == Mood::kCommand && (asked.frame == Frame::kTake || asked.frame == Frame::kBring) &&
-          language_.content(none.phrase) == symbol::kNone) {
-        none.role = Role::kExcept;
-        asked.phrases.push_back(std::move(none));
-      }
-      return done;
-    }
-  }
-  if (NounPhrase none; language_.hears_people() && at > joined && words_[at - 1] == "no") {
-    const std::size_t done = reader_.read(at, end, none);  // "no book should be left on the couch"
-    if (done != at && done < end && one_of(words_[done], kDesire)) return statement(at - 1, end);
-  }
-  if (third_person(at, end)) {
-    add_told(at, part_end(at, end));
-    return part_end(at, end);
-  }
+  if (at > joined)
+    if (const std::size_t done = no_thing(at, end); done != at) return done;
+  if (const std::size_t stop = third_person(at, end); stop != at) return stop;
   if (const std::size_t stop = idle(at, end); stop != at) return stop;
   if (const std::size_t stop = none_there(at, end); stop != at) return stop;
   if (const std::size_t stop = has_to_be(at, end); stop != at) return stop;
@@ -147,10 +126,7 @@ std::size_t ClauseParser::clause(std::size_t at, std::size_t end) {
   // "all of the books should be on the table, except for the one on the shelf"
   if (!result_.clauses.empty())
     if (const std::size_t done = except(at, end, result_.clauses.back()); done != at) return done;
-  if (const std::size_t done = only_stays(at, end); done != at) return done;
-  if (const std::size_t done = namely(at, end); done != at) return done;
-  if (const std::size_t done = only_on(at, end); done != at) return done;
-  if (const std::size_t done = trade_places(at, end); done != at) return done;
+  if (const std::size_t done = says_which(at, end); done != at) return done;
   if (word == "do_that") return done_that(at, end);
   if (word == "hint") return hint(at, end);
   // "bring the beer, no, I still have to drive, so the coke"

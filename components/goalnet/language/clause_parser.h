@@ -27,6 +27,7 @@ class ClauseParser {
   bool leaves_command(std::size_t at, std::size_t next, std::size_t end, const Clause& clause) const;
   bool begins_anew(std::size_t at, std::size_t next, std::size_t done, std::size_t end, const Clause& clause,
                    const NounPhrase& phrase, bool direct) const;
+  std::size_t for_whom(std::size_t at, std::size_t end, Clause& clause);
   std::size_t particle(std::size_t at, std::size_t end, Clause& clause, Role& role);
   std::size_t statement(std::size_t at, std::size_t end);
   std::size_t from_several(std::size_t at, std::size_t end, NounPhrase& subject) const;
@@ -39,6 +40,7 @@ class ClauseParser {
   std::size_t except(std::size_t at, std::size_t end, Clause& clause);
   // "(clear the couch,) only the snacks may stay on it"; "(drinks on the table,) both"; "(dirty dishes in the
   // sink,) so the plates and the bowl"; `at` where it is none.
+  std::size_t says_which(std::size_t at, std::size_t end);  // the first of these that fits
   std::size_t only_stays(std::size_t at, std::size_t end);
   std::size_t all_of_them(std::size_t at, std::size_t end, const NounPhrase& said, std::size_t done);
   std::size_t namely(std::size_t at, std::size_t end);
@@ -52,6 +54,9 @@ class ClauseParser {
   std::size_t goes_in(std::size_t at, std::size_t end, Clause& clause) const;
   std::size_t state_of_place(std::size_t at, Clause& clause) const;
   std::size_t bears_thing(std::size_t at, std::size_t end, Clause& clause) const;
+  std::size_t there_is_no(std::size_t at, std::size_t end);
+  std::size_t nothing_should(std::size_t at, std::size_t end);
+  std::size_t no_thing(std::size_t at, std::size_t end);
   std::size_t is_anything(std::size_t at, std::size_t end);
   std::size_t trade_places(std::size_t at, std::size_t end);
   std::size_t only_on(std::size_t at, std::size_t end);
@@ -66,6 +71,7 @@ class ClauseParser {
   bool says_nothing_here(std::size_t at, std::size_t end) const;
   std::size_t fragment(std::size_t at, std::size_t end);
   std::size_t things_then_place(std::size_t at, std::size_t end, Clause& clause);
+  std::size_t off_or_for(std::size_t at, std::size_t end, Clause& clause, const NounPhrase& subject);
   std::size_t things_of_fragment(std::size_t at, std::size_t end, Clause& clause, NounPhrase& subject);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
@@ -103,7 +109,7 @@ class ClauseParser {
   std::size_t aside(std::size_t at, std::size_t end);
   bool tells_time(std::size_t at, std::size_t stop) const;
   std::size_t exclamation(std::size_t at, std::size_t end) const;
-  bool third_person(std::size_t at, std::size_t end) const;
+  std::size_t third_person(std::size_t at, std::size_t end);
   std::size_t part_end(std::size_t at, std::size_t end) const;
   bool tells(std::size_t at, std::size_t stop) const;
   std::size_t skip_part(std::size_t at, std::size_t end) const;  // to the next comma or the end

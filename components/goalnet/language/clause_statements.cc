@@ -60,61 +60,15 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
     }
     return done;
   }
-  if (there && i + 2 < end &&
-      (words_[i + 2] == "no" || words_[i + 2] == "not")) {  // "there is no water in the kettle"
-    NounPhrase content, vessel;
-    const std::size_t done = reader_.read(i + 3, end, content), after = reader_.read_place(done, end, vessel);
-    if (done != i + 3 && after != done && language_.content(content.phrase) != symbol::kNone) {
-      Clause clause;
-      clause.mood = Mood::kStatement, clause.wish = true, clause.frame = Frame::kFill, clause.verb = "fill";
-      content.role = Role::kWith, vessel.role = Role::kDirect;
-      clause.phrases = {vessel, content};
-      add(std::move(clause));
-      return after;
-    }
-    if (judging_ && done != i + 3 && after != done && !content.unknown && !vessel.unknown) {
-      Clause clause;  // "(if) there is no disc in the xbox"
-      clause.mood = Mood::kStatement, clause.negative = true;
-      content.at = {std::move(vessel)};
-      clause.phrases = {std::move(content)};
-      add(std::move(clause));
-      return after;
-    }
-  }
+  if (there)
+    if (const std::size_t done = there_is_no(at, end); done != at) return done;
   if (there) {
     ++i;
     for (; i < end && language_.copula(words_[i]); ++i) desired = desired || one_of(words_[i], kDesire);
   }
   if (judging_)
     if (const std::size_t done = is_anything(at, end); done != at) return done;
-  if (words_[at] == "nothing" || words_[at] == "no") {  // "nothing should be standing on the stove"
-    std::size_t k = at + 1;
-    NounPhrase only;  // "nothing but pillows belongs on the couch"
-    if (language_.hears_people() && k + 1 < end && (words_[k] == "but" || words_[k] == "except"))
-      k = std::max(reader_.read(k + 1, end, only), k + 1);
-    NounPhrase none;
-    if (language_.hears_people() && words_[at] == "no") k = reader_.read(k, end, none);
-    bool wanted = ensured_ && language_.hears_people();  // "make sure nothing is left on the stove"
-    for (; k < end && !language_.joins(words_[k]); ++k) {
-      wanted = wanted || one_of(words_[k], kDesire);
-      NounPhrase place;
-      const std::size_t done = wanted ? reader_.read_place(k, end, place) : k;
-      if (done == k) continue;
-      Clause clause;
-      clause.frame = Frame::kClear, clause.verb = "clear";
-      clause.phrases.push_back(std::move(place));
-      clause.phrases.back().role = Role::kSource;
-      only.role = Role::kExcept;
-      if (!only.bare()) clause.phrases.push_back(std::move(only));
-      if (none.all = true; !none.bare() && !none.unknown) clause.phrases.push_back(std::move(none));
-      add(std::move(clause));
-      return done;
-    }
-    if (at + 1 < end && reader_.name_length(at + 1) > 0) {  // "no tv tonight"
-      add_told(at + 1, part_end(at, end));
-      return part_end(at, end);
-    }
-  }
+  if (const std::size_t done = nothing_should(at, end); done != at) return done;
   static constexpr std::array kHave = {"left"sv, "have"sv, "has"sv, "had"sv, "forgot"sv};
   bool somebody = false;  // "the children have left the television running"
   if (NounPhrase who; language_.hears_people() && i < end) {

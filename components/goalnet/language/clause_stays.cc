@@ -21,6 +21,13 @@ bool removes(Frame frame) {
 
 }  // namespace
 
+std::size_t ClauseParser::says_which(std::size_t at, std::size_t end) {
+  if (const std::size_t done = only_stays(at, end); done != at) return done;
+  if (const std::size_t done = namely(at, end); done != at) return done;
+  if (const std::size_t done = only_on(at, end); done != at) return done;
+  return trade_places(at, end);
+}
+
 std::size_t ClauseParser::only_stays(std::size_t at, std::size_t end) {
   static constexpr std::array kMay = {"can"sv, "may"sv, "should"sv, "must"sv, "shall"sv};
   if (!language_.hears_people() || result_.clauses.empty() || !removes(result_.clauses.back().frame) ||

@@ -112,6 +112,11 @@ bool FrameActions::wanted(const Clause& clause, Problem& problem) {
             resolver_.remember({place});
       so = holds(condition, problem);
       if (!problem.empty()) return false;
+      if (NounPhrase& none = condition.phrases.front();
+          condition.negative && !none.definite && !none.pronoun && none.at.size() == 1) {
+        none = NounPhrase(none.at.front());  // "if no pillow is on the armchair": only that is spoken of
+        none.role = Role::kDestination;
+      }
       if (condition.negative)
         condition.phrases.front().content.clear();  // "the kettle has no water, fill it"
       notice(condition);
