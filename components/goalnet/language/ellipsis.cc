@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "components/goalnet/language/ellipsis_parts.h"
 #include "components/goalnet/language/noun_phrase.h"
 #include "components/goalnet/language/word_groups.h"
 
@@ -12,9 +13,6 @@ using namespace word_group;
 namespace {
 
 constexpr std::array kTemperatures = {"hot"sv, "warm"sv};
-
-// What a part between two pauses is made of.
-enum class Part { kOther, kThings, kPlace, kCountAtPlace, kVerb };
 
 class Filler {
  public:
@@ -31,100 +29,6 @@ class Filler {
  private:
   static constexpr int kMostChanges = 20;
 
-  struct Span {
-    std::size_t begin = 0, end = 0;  // without the pause behind it
-    Part part = Part::kOther;
-    bool with_preposition = false;
-    std::size_t content = 0;  // where the things or the place begin, behind "and", "then", "please"
-  };
-
-  bool harmless(std::size_t i) const {
-    const std::string& word = words_.text[i];
-    return (language_.filler(word) || language_.adverb(word)) && language_.verb(word) == Frame::kNone &&
-           !place_preposition(word) && !is_pronoun(word) && !one_of(word, kPointers) &&
-           !one_of(word, kPersons) && !one_of(word, kParticles) && !language_.asks(word);
-  }
-
-  Span span(const NounPhraseReader& reader, std::size_t begin, std::size_t end) const {
-    Span span{.begin = begin, .end = end};
-    std::size_t i = begin;
-    while (i < end && (language_.joins(words_.text[i]) ||
-                       (harmless(i) && number_word(words_.text[i]) == 0 && !reader.starts(i, end))))
-      ++i;
-    if (i < end && words_.text[i] == "back" && i + 1 < end && place_preposition(words_.text[i + 1])) ++i;
-    span.content = i;
-    if (i >= end) return span;
-    const auto rest_is_small = [&](std::size_t from) {
-      for (std::size_t k = from; k < end; ++k)
-        if (!harmless(k) && words_.text[k] != "too") return false;
-      return true;
-    };
-    NounPhrase phrase;
-    if (number_word(words_.text[i]) > 0 && i + 1 < end && reader.name_length(i + 1) == 0) {
-      const std::size_t verb = one_of(words_.text[i + 1], kDesire) ? 1 : 0;  // "one goes on the table"
-      const std::size_t done = reader.read_place(i + 1 + verb, end, phrase);
-      if (done != i + 1 + verb && rest_is_small(done)) {
-        span.part = Part::kCountAtPlace;
-        return span;
-      }
-    }
-    phrase = {};
-    if (const std::size_t done = reader.read_place(i, end, phrase); done != i) {
-      if (rest_is_small(done) && !phrase.person && !phrase.pronoun && !phrase.unknown && !phrase.hand)
-        span.part = Part::kPlace, span.with_preposition = true;
-      return span;
-    }
-    bool things = false, places = false;
-    for (std::size_t k = i; k < end;) {
-      phrase = {};
-      const std::size_t done = reader.read(k, end, phrase);
-      if (done == k || phrase.person || phrase.pronoun || phrase.unknown || phrase.phrase.empty()) {
-        things = places = false;
-        break;
-      }
-      static constexpr std::array kBins = {"bin"sv, "trash"sv, "garbage"sv, "rubbish"sv};  // "coke, trash"
-      const bool bin = begin > 0 && one_of(phrase.phrase, kBins) && done == end;
-      const bool furniture = lexicon_.is_place_name(phrase.phrase) || bin;
-      things = things || !furniture, places = places || furniture;
-      k = done;
-      if (rest_is_small(k)) break;
-      if (words_.text[k] != "and") {
-        things = places = false;
-        break;
-      }
-      ++k;
-    }
-    if (things != places) span.part = things ? Part::kThings : Part::kPlace;
-    if (language_.verb(words_.text[i]) != Frame::kNone && reader.name_length(i) == 0 && rest_is_small(i + 1))
-      span.part = Part::kVerb;
-    return span;
-  }
-
-  // "tap running", "the tv is off": where the device ends of which only this is told; `span.content` where
-  // it is something else.
-  std::size_t told_device(const NounPhraseReader& reader, const Span& span) const {
-    static constexpr std::array kSwitched = {"on"sv, "off"sv, "running"sv, "lit"sv, "going"sv};
-    if (span.end < span.content + 2 || !one_of(words_.text[span.end - 1], kSwitched)) return span.content;
-    if (language_.verb(words_.text[span.content]) != Frame::kNone && reader.name_length(span.content) == 0)
-      return span.content;
-    std::size_t end = span.end - 1;
-    while (end > span.content && (language_.copula(words_.text[end - 1]) || words_.text[end - 1] == "still"))
-      --end;
-    NounPhrase device;
-    const bool named = reader.read(span.content, end, device) == end && !device.phrase.empty() &&
-                       !device.person && !device.pronoun && !device.unknown;
-    return named ? end : span.content;
-  }
-
-  // "off", "on please": on or off and nothing else.
-  bool only_switches(const Span& span) const {
-    if (span.content >= span.end || (words_.text[span.content] != "on" && words_.text[span.content] != "off"))
-      return false;
-    for (std::size_t k = span.content + 1; k < span.end; ++k)
-      if (!harmless(k)) return false;
-    return true;
-  }
-
   void erase(std::size_t at) {
     words_.text.erase(words_.text.begin() + static_cast<long>(at));
     words_.plural.erase(words_.plural.begin() + static_cast<long>(at));
@@ -136,18 +40,20 @@ class Filler {
 
   // "three waters: one in the glass, two in the long cups": each part gets the thing, what is shared out
   // before them goes.
-  void share_out(const NounPhraseReader& reader, const std::vector<Span>& spans, std::size_t first) {
+  bool share_out(const PartReader& reader, const std::vector<Span>& spans, std::size_t first) {
     const Span& one = spans[first];
     std::size_t from = one.content, to = one.end;
     while (from + 1 < to && (number_word(words_.text[from]) > 0 || one_of(words_.text[from], kDeterminers)))
       ++from;
-    while (to > from + 1 && harmless(to - 1)) --to;
+    while (to > from + 1 && reader.harmless(to - 1)) --to;
     const std::vector<std::string> thing(words_.text.begin() + static_cast<long>(from),
                                          words_.text.begin() + static_cast<long>(to));
+    constexpr std::size_t kLongestThing = 6;  // words
+    if (thing.size() > kLongestThing) return false;
     std::size_t last = first + 1;
     while (last + 1 < spans.size() && spans[last + 1].part == Part::kCountAtPlace) ++last;
     NounPhrase shared;
-    reader.read(from, to, shared);
+    reader.phrases().read(from, to, shared);
     const bool content = language_.content(shared.phrase) != symbol::kNone;
     const bool moved = !shared.scoop && !content, drink = content && !shared.scoop && to == from + 1;
     for (std::size_t k = last; k > first; --k) {
@@ -171,17 +77,12 @@ class Filler {
       insert(number, {"put"});
     }
     for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
+    return true;
   }
 
   bool change() {
-    const NounPhraseReader reader(words_, language_, lexicon_);
-    std::vector<Span> spans;
-    for (std::size_t begin = 0; begin < words_.text.size();) {
-      std::size_t end = begin;
-      while (end < words_.text.size() && words_.text[end] != "." && words_.text[end] != ",") ++end;
-      if (end > begin) spans.push_back(span(reader, begin, end));
-      begin = end + 1;
-    }
+    const PartReader reader(words_, language_, lexicon_);
+    const std::vector<Span> spans = reader.spans();
     bool own = true;  // nothing before in this sentence could be the verb of what follows
     for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
       const Span &one = spans[i], &two = spans[i + 1];
@@ -197,8 +98,7 @@ class Filler {
         return true;
       }
       if (one.part == Part::kThings && two.part == Part::kCountAtPlace) {
-        share_out(reader, spans, i);
-        return true;
+        if (share_out(reader, spans, i)) return true;
       }
       // "need coffee. hot.", "coffee, hot, please"
       if (one.part == Part::kThings && two.content < two.end &&
@@ -221,7 +121,7 @@ class Filler {
           (words_.text[two.content + 1] == "both" || words_.text[two.content + 1] == "all") &&
           std::count(words_.text.begin() + static_cast<long>(one.content),
                      words_.text.begin() + static_cast<long>(one.end), "and") > 0 &&
-          (two.content + 2 == two.end || harmless(two.content + 2) ||
+          (two.content + 2 == two.end || reader.harmless(two.content + 2) ||
            place_preposition(words_.text[two.content + 2]))) {
         const std::vector<std::string> things(words_.text.begin() + static_cast<long>(one.content),
                                               words_.text.begin() + static_cast<long>(one.end));
@@ -240,8 +140,8 @@ class Filler {
         return true;
       }
       // "tap running. off."
-      if (sentence_start && only_switches(two) && words_.text[one.end] == "." && pair_ends) {
-        if (const std::size_t device_end = told_device(reader, one); device_end != one.content) {
+      if (sentence_start && reader.only_switches(two) && words_.text[one.end] == "." && pair_ends) {
+        if (const std::size_t device_end = reader.told_device(one); device_end != one.content) {
           const std::string way = words_.text[two.content];
           erase(two.content);
           for (std::size_t k = device_end; k <= one.end; ++k) erase(device_end);
@@ -254,7 +154,7 @@ class Filler {
       if (sentence_start && one.part == Part::kOther && two.part == Part::kPlace &&
           words_.text[one.end] == "." &&
           language_.verb(words_.text[one.content < one.end ? one.content : one.begin]) == Frame::kNone &&
-          words_.text[one.begin] != "wish" && (tells(one) || language_.asks(words_.text[one.begin]))) {
+          words_.text[one.begin] != "wish" && (reader.tells(one) || language_.asks(words_.text[one.begin]))) {
         const bool many = std::any_of(words_.plural.begin() + static_cast<long>(one.begin),
                                       words_.plural.begin() + static_cast<long>(one.end),
                                       [](bool plural) { return plural; });
@@ -273,13 +173,6 @@ class Filler {
         erase(i);
         return true;
       }
-    return false;
-  }
-
-  // A subject and a verb, as no command begins.
-  bool tells(const Span& span) const {
-    for (std::size_t k = span.begin + 1; k < span.end; ++k)
-      if (language_.copula(words_.text[k])) return true;
     return false;
   }
 
