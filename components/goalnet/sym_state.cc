@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 
 namespace goalnet::inference {
 namespace {
 
-constexpr const char* kRelations[] = {"Near",  "On",          "In",           "Grasping",
-                                      "state", "IsGraspable", "IsSqueezeable"};
+constexpr const char* kRelations[] = {"Near",          "On",  "In", "Grasping", "state", "IsGraspable",
+                                      "IsSqueezeable", "Held"};
+constexpr std::string_view kGoalsOnly = "Held";
 
 }  // namespace
 
@@ -26,7 +28,7 @@ SymState to_sym_state(const FactSet& facts, Symbols& symbols) {
   state.facts_.reserve(facts.size());
   for (const Predicate& fact : facts) {
     const auto relation = std::find(std::begin(kRelations), std::end(kRelations), fact.relation);
-    if (relation == std::end(kRelations)) continue;
+    if (relation == std::end(kRelations) || fact.relation == kGoalsOnly) continue;
     const Symbol subject = symbols.intern(fact.subject);
     const Symbol object = fact.object.empty() ? Symbol{symbol::kNone} : symbols.intern(fact.object);
     if (subject == symbol::kNone || (object == symbol::kNone && !fact.object.empty())) continue;

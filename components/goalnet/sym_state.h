@@ -9,7 +9,17 @@
 
 namespace goalnet::inference {
 
-enum class Relation : std::uint32_t { kNear, kOn, kIn, kGrasping, kState, kIsGraspable, kIsSqueezeable };
+// kHeld stands in goals only ("on the tray"): no state here has it, for the benchmark's rules know no tray.
+enum class Relation : std::uint32_t {
+  kNear,
+  kOn,
+  kIn,
+  kGrasping,
+  kState,
+  kIsGraspable,
+  kIsSqueezeable,
+  kHeld
+};
 
 // Relation, subject and object in one number, ordered by them.
 using SymFact = std::uint32_t;

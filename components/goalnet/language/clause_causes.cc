@@ -154,6 +154,11 @@ std::size_t ClauseParser::where_that_is(std::size_t at, std::size_t end, Clause&
 // "(the fork can go) in", "in there": into what was spoken of; `at` where it is none.
 std::size_t ClauseParser::goes_in(std::size_t at, std::size_t end, Clause& clause) const {
   if (!language_.hears_people() || clause.phrases.empty()) return at;
+  if (words_[at] == "at_tray") {  // "the beer goes on your tray"
+    clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
+    clause.particles.push_back(words_[at]);
+    return at + 1;
+  }
   const bool in = words_[at] == "in" || words_[at] == "inside" || words_[at] == "into";
   const bool there = at + 1 < end && words_[at + 1] == "there";
   if (!(in && (there || at + 1 >= end || words_[at + 1] == ",")) && !(words_[at] == "on" && there)) return at;

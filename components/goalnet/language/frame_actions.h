@@ -20,6 +20,7 @@ class FrameActions {
         language_(language),
         start_(start),
         now_(start),
+        tray_(symbols.find("Tray")),
         at_home_(at_home),
         closes_tap_(at_home) {
     resolver_.begins_with(start_);
@@ -85,6 +86,7 @@ class FrameActions {
   Problem go(const Clause& clause);
   Problem take(const Clause& clause);
   Problem take_up(Symbol object);
+  Problem put_on_tray(const Clause& clause);
   std::optional<Problem> give_content(const Clause& clause);
   std::optional<Problem> give(const Clause& clause);
   Problem put(const Clause& clause);
@@ -155,6 +157,7 @@ class FrameActions {
   Problem elsewhere_;                         // where the things are that are not where the sentence says
   mutable bool no_such_number_ = false;
   mutable Problem missing_;  // the last that said so; see names_missing_thing()
+  Symbol tray_;              // the robot's
   bool at_home_;             // see FrameReader
   bool closes_tap_;
   bool tap_fills_ = false;  // it was turned on to fill something, and runs still

@@ -42,6 +42,7 @@ void FrameActions::notice(const Clause& clause) {
         if (place.role == Role::kDestination && !place.pronoun && !place.bare() && !place.unknown)
           located.at.push_back(place);
     Objects objects = resolver_.options(located, Sort::kAny, now_);
+    if (at_home_ && located.ordinal > 0) objects = resolver_.chosen(located, objects);
     if (at_home_ && !clause.negative)  // "one of the burners is on": the one that is
       std::stable_partition(objects.begin(), objects.end(),
                             [&](Symbol object) { return is_so(object, clause.state).value_or(true); });

@@ -200,6 +200,10 @@ FrameActions::Objects FrameActions::places(const NounPhrase& phrase, const Objec
     if (!elsewhere.empty()) options = elsewhere;
   }
   if (phrase.ordinal > 0 || phrase.has("last")) options = resolver_.chosen(phrase, options);
+  if (at_home_ && phrase.definite && !phrase.plural &&
+      phrase.adjectives.empty())  // "the second couch is full? ... on the couch"
+    std::stable_partition(options.begin(), options.end(),
+                          [&](Symbol option) { return contains(last_destination_, option); });
   if (options.empty()) {
     if (problem.empty()) problem = unknown_thing(phrase, Sort::kPlace);
     return {};

@@ -43,6 +43,7 @@ std::string FrameActions::go(const Clause& clause) {
 }
 
 std::string FrameActions::take(const Clause& clause) {
+  if (at_home_ && clause.has_particle("at_tray")) return put_on_tray(clause);
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.scoop) return scoop(clause);
     if (language_.tv_word(phrase.phrase) && phrase.role == Role::kDirect)

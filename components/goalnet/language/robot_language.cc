@@ -40,6 +40,7 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
     return tl::unexpected(added.error());
   if (auto added = robot->lexicon_->add_names(texts[5], paths[5]); !added)
     return tl::unexpected(added.error());
+  symbols.intern("Tray");  // no world lists it, goals may name it
   auto language = Language::parse(texts[0], paths[0], *robot->lexicon_, symbols);
   if (!language) return tl::unexpected(language.error());
   robot->language_ = std::make_unique<Language>(std::move(*language));

@@ -89,10 +89,10 @@ inline constexpr std::array kPastForms = {
 inline constexpr std::array kPossessives = {"my"sv, "your"sv, "his"sv, "her"sv, "our"sv, "their"sv};
 
 // Behind verbs; before clauses that hang on others.
-inline constexpr std::array kParticles = {"on"sv,        "off"sv,    "up"sv,    "down"sv,     "out"sv,
-                                          "away"sv,      "over"sv,   "in"sv,    "back"sv,     "around"sv,
-                                          "through"sv,   "aside"sv,  "along"sv, "together"sv, "at_home"sv,
-                                          "under_tap"sv, "to_boil"sv};
+inline constexpr std::array kParticles = {"on"sv,        "off"sv,     "up"sv,     "down"sv,     "out"sv,
+                                          "away"sv,      "over"sv,    "in"sv,     "back"sv,     "around"sv,
+                                          "through"sv,   "aside"sv,   "along"sv,  "together"sv, "at_home"sv,
+                                          "under_tap"sv, "to_boil"sv, "at_tray"sv};
 inline constexpr std::array kDeterminers = {"the"sv, "a"sv, "an"sv, "my"sv, "some"sv, "your"sv};
 inline constexpr std::array kSubordinate = {"if"sv,     "unless"sv,    "when"sv,    "once"sv,     "after"sv,
                                             "before"sv, "while"sv,     "until"sv,   "because"sv,  "since"sv,

@@ -56,6 +56,7 @@ std::vector<std::uint8_t> things_now(const SymState& state, std::size_t count) {
         break;
       case Relation::kOn:
       case Relation::kIn:
+      case Relation::kHeld:
         break;
     }
   }
