@@ -148,19 +148,28 @@ void wish_what_is_far(Sentence& words, const Language& language) {
 
 // "there is no fork on my plate , do_that"
 void supply_what_lacks(Sentence& words, const Language& language) {
-  const auto asked = std::find(words.begin(), words.end(), "do_that");
-  if (asked == words.end()) return;
   const WordSpans spans(words, language);
+  const auto asked = std::find_if(words.begin(), words.end(), [&](const std::string& word) {
+    const std::size_t at = static_cast<std::size_t>(&word - words.data());
+    const std::size_t in =
+        spans.phrase(at, {"put it in", "put it on", "put it there", "put some in", "add it", "add some",
+                          "put one in", "put one on", "put one there"});
+    return word == "do_that" || (in != at && at > 0 && spans.ends(at - 1) && spans.ends(in));
+  });
+  if (asked == words.end()) return;
   for (std::size_t i = 0; i + 3 < words.size(); ++i) {
     const std::size_t no = spans.phrase(
         i, {"there is no", "there are no", "there is not a", "there is not any", "there are not any",
             "there isnt a", "there isnt any", "there is not one", "there is not a single"});
-    if (no == i) continue;
+    if (no == i || (i > 0 && !spans.ends(i - 1) && spans.is_one(i - 1, {"if", "case", "when", "that"})))
+      continue;
     const std::size_t thing = spans.thing(no), place = spans.place(thing);
     if (thing == no || place == thing || !spans.ends(place) ||
-        (language.content(words[no]) == symbol::kWater || language.content(words[no]) == symbol::kCoffee))
+        (*asked == "do_that" &&
+         (language.content(words[no]) == symbol::kWater || language.content(words[no]) == symbol::kCoffee)))
       continue;
-    words[static_cast<std::size_t>(asked - words.begin())] = "please";
+    const std::size_t at = static_cast<std::size_t>(asked - words.begin());
+    replace(words, at, *asked == "do_that" ? at + 1 : spans.part_end(at), {"please"});
     replace(words, i, no, {"put"});
     return;
   }

@@ -35,6 +35,8 @@ NounPhraseReader::NounPhraseReader(const Words& words, const Language& language,
          language_.english_verb(words.text[i + 1]) || language_.person(words.text[i + 1]) ||
          one_of(words.text[i + 1], kPersons)))
       names_[i] = 0;
+    if (language_.hears_people() && words.text[i] == "new" && !words.plural[i] && names_[i] == 1)
+      names_[i] = 0;  // "a new job" is no news
   }
 }
 

@@ -86,11 +86,16 @@ void places_last(Sentence& words, const Language& language) {
   for (std::size_t begin = 0; begin + 3 < words.size(); ++begin) {
     const WordSpans spans(words, language);
     if (!spans.begins(begin) && words[begin - 1] != "and") continue;
-    const std::size_t at = spans.skip_small(begin), place = spans.place(at);
+    const std::size_t at = spans.skip_small(begin);
+    std::size_t place = spans.place(at);
     if (place == at || spans.ends(place)) continue;
+    if (words[place] == "please") words.erase(words.begin() + static_cast<long>(place));
+    if (spans.ends(place)) continue;
     const std::size_t wish = spans.phrase(place, {"i want", "i need", "i would like", "we want"});
     std::size_t thing = wish;
-    if (wish == place && (!one_of(words[place], kArticles) || words[at] == "at")) continue;
+    if (wish == place &&
+        (!(one_of(words[place], kArticles) || spans.is_one(place, {"all", "both"})) || words[at] == "at"))
+      continue;
     thing = spans.is_one(wish, {"it", "them", "that"}) ? wish + 1 : spans.things(wish);
     const std::size_t end = spans.place(thing);
     if (thing == wish || !spans.ends(spans.skip_small(end)) || (end != thing && words[at] != "from"))
@@ -121,7 +126,8 @@ void wished_things_last(Sentence& words, const Language& language) {
     const std::size_t wish =
         spans.phrase(i, {"i would like", "i want", "i need", "we want", "we need", "i would like to have",
                          "i want to have", "we would like", "i would love", "i would love to have",
-                         "i like to have", "i should like"});
+                         "i like to have", "i should like", "i could use", "i would like to read",
+                         "i want to read", "i would like to drink", "i would like to eat"});
     if (wish == i || (!named_again && spans.place(wish) == wish)) continue;
     std::size_t end = wish;
     Sentence places = front.places;
@@ -131,7 +137,7 @@ void wished_things_last(Sentence& words, const Language& language) {
       end = place;
     }
     if (!spans.ends(spans.skip_small(end))) continue;
-    Sentence said = cut(words, i, wish);
+    Sentence said = {"i", "want"};
     said.insert(said.end(), front.things.begin(), front.things.end());
     said.insert(said.end(), places.begin(), places.end());
     replace(words, at, end, said);
@@ -170,6 +176,17 @@ void uncleave(Sentence& words, const Language& language) {
 }
 
 void let_it_go(Sentence& words, const Language& language) {
+  for (std::size_t at = 2; at + 2 < words.size(); ++at) {  // "there is still coffee in the mug, away with it"
+    const WordSpans spans(words, language);
+    const std::size_t away =
+        spans.phrase(at, {"away with it", "away with that", "out with it", "out with that"});
+    if (away == at || !spans.ends(away) || words[at - 1] != ",") continue;
+    bool content = false;
+    for (std::size_t i = spans.part_begin(at - 2); i + 1 < at; ++i)
+      content = content || language.content(words[i]) == symbol::kCoffee ||
+                language.content(words[i]) == symbol::kWater;
+    if (content) replace(words, at, away, {"pour", "it", "away"});
+  }
   for (std::size_t go = 2; go < words.size(); ++go) {
     const WordSpans spans(words, language);
     if (words[go] != "go") continue;

@@ -44,6 +44,15 @@ std::size_t taken_back(const WordSpans& spans, std::size_t at) {
 }  // namespace
 
 void mark_retractions(Sentence& words, const Language& language) {
+  {  // "forget the beer. Coke."
+    const WordSpans spans(words, language);
+    const std::size_t head = spans.skip_small(0);
+    const std::size_t what = spans.phrase(head, {"forget", "skip", "never mind", "forget about"});
+    const std::size_t end = spans.thing(what), next = spans.skip_small(end + 1);
+    if (what != head && end != what && end < words.size() && spans.ends(end) && next < words.size() &&
+        spans.thing(next) != next && spans.ends(spans.skip_small(spans.thing(next))))
+      replace(words, head, next, {"wish"});
+  }
   for (std::size_t at = 1; at < words.size(); ++at) {
     const WordSpans spans(words, language);
     if (!spans.begins(at)) continue;
@@ -51,6 +60,9 @@ void mark_retractions(Sentence& words, const Language& language) {
     if (done == at || !spans.orders(0, at - 1)) continue;
     std::size_t next = done;
     while (next < words.size() && spans.ends(next)) ++next;
+    // "..., I'll get it myself"
+    if (spans.phrase(next, {"i will", "ill", "i can", "we will"}) != next && !spans.names(next, words.size()))
+      next = words.size();
     const bool leave = words[done - 2] == "leave";  // "take the book, leave it, ..." may speak of the book
     const std::size_t end = spans.part_end(next);
     bool anew = spans.orders(next, end);

@@ -103,6 +103,13 @@ void drop_tags(Sentence& words, const Language& language) {
 }
 
 void part_run_ons(Sentence& words, const Language& language) {
+  for (std::size_t i = 1; i + 2 < words.size(); ++i) {  // "burner two and no other burner"
+    const WordSpans spans(words, language);
+    const std::size_t no = spans.phrase(i, {"and no other", "but no other", "and no others", ", no other"});
+    const std::size_t end =
+        no == i ? i : no + std::max(spans.name(no), std::size_t{spans.is_one(no, {"one", "ones"})});
+    if (no != i && spans.ends(end)) replace(words, i, end, {});
+  }
   for (std::size_t i = 1; i + 2 < words.size(); ++i) {  // "that pillow over there on armchair two"
     const WordSpans spans(words, language);
     const std::size_t there =

@@ -47,6 +47,10 @@ void counts_said_after(Sentence& words, const Language& language) {
     if (done == of) continue;
     const std::size_t thing_end = spans.ends(at - 1) ? at - 1 : at, begin = spans.part_begin(thing_end - 1);
     const std::size_t thing = spans.skip_small(begin);
+    if (spans.things(thing) == thing_end && spans.thing(thing) != thing_end && !spans.ends(at - 1)) {
+      replace(words, at, done, {});  // "the plate and the bowl both of them"
+      continue;
+    }
     if (thing_end == 0 || !one_of(words[thing], kArticles) || spans.thing(thing) != thing_end) continue;
     Sentence said = {words[at]};
     const Sentence named = cut(words, thing, thing_end);

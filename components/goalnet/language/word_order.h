@@ -23,6 +23,8 @@ void part_run_ons(Sentence& words, const Language& language);
 void mark_retractions(Sentence& words, const Language& language);
 // cataphora.cc: "put it in the fridge, the mug" -> "put the mug in the fridge".
 void name_what_comes_last(Sentence& words, const Language& language);
+// "the second armchair, take its pillow" -> "..., take the pillow on the second armchair".
+void say_whose_it_is(Sentence& words, const Language& language);
 // where_wanted.cc: "the bowl, that's where I want the egg" -> "put the egg to the bowl".
 void put_where_wanted(Sentence& words, const Language& language);
 // complaints.cc: "somebody didn't shut the door" -> "you forgot to shut the door"; "I can't hear a word they

@@ -59,6 +59,7 @@ std::size_t WordSpans::name(std::size_t at) const {
   if (is(at, "can") && (at == 0 || ends(at - 1) ||
                         is_one(at + 1, {"you", "i", "we", "be", "go", "not", "come", "have", "also"})))
     return 0;
+  if (is(at, "new")) return 0;  // "news" is kept in the singular, too
   std::string name;
   std::size_t length = 0;
   for (std::size_t i = at; i < at + kLongest && !ends(i); ++i) {

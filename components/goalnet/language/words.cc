@@ -128,6 +128,7 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   places_last(text, language);
   wished_things_last(text, language);
   name_what_comes_last(text, language);
+  say_whose_it_is(text, language);
   spell_out_steps(text, language);
   join_thing_and_place(text, language);
   put_it_there(text, language);
