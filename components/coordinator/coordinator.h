@@ -118,6 +118,8 @@ class Coordinator {
   };
 
   struct Task {
+    Task() {}  // clang 14 takes no default one inside std::optional here
+
     Request request;
     std::uint64_t id = 0;
     TimeNs started = 0;

@@ -13,8 +13,8 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr double kOver[] = {0.05,
-                            0.11};   // [m] the lip above the receiver's mouth when things run: low is neat
+// [m] the lip above the receiver's mouth when things run: low is neat
+constexpr double kOver[] = {0.05, 0.11};
 constexpr double kPourClear = 0.02;  // [m] everything else above it at any time
 constexpr double kUpright = 0.9;     // upward part of the axis of a mouth that things can be poured into
 constexpr double kBeyond = 0.20;     // [rad] more tilt than what makes contents run
@@ -67,7 +67,7 @@ std::vector<Gesture> pours(const scene::ObjectModel& model, const Vector3d& mout
     };
     if (reserve && std::abs(std::remainder(beside, 90.0)) > 1.0) continue;
     for (const double over : kOver) {
-      if (reserve ? over == kOver[0] : over == kOver[2]) continue;
+      if (reserve && over == kOver[0]) continue;
       for (int h = 0; h < 12; ++h) {
         const double heading = h * std::numbers::pi / 6;
         Gesture gesture;

@@ -35,8 +35,7 @@ bool pauses(const std::string& token) { return token == "." || token == "," || t
 
 class PartReader {
  public:
-  PartReader(const std::vector<std::string>& tokens, const Language& language, const Lexicon& lexicon)
-      : tokens_(tokens), language_(language), lexicon_(lexicon) {
+  PartReader(const std::vector<std::string>& tokens, const Language& language) : language_(language) {
     for (const std::string& token : tokens) {
       words_.push_back(language.known(token) || language.real_word(token) ? token : language.correct(token));
       kinds_.push_back(kind(words_.back()));
@@ -51,9 +50,7 @@ class PartReader {
   bool tells(std::size_t i) const;
   void add_signs(std::size_t index, std::vector<SentencePart>& parts) const;
 
-  const std::vector<std::string>& tokens_;
   const Language& language_;
-  const Lexicon& lexicon_;
   std::vector<std::string> words_, kinds_;  // spelled right; THING, DO, DID, NUM, PERSON or the word itself
 };
 
@@ -124,7 +121,7 @@ std::vector<SentencePart> PartReader::parts() const {
 }
 
 void PartReader::add_signs(std::size_t index, std::vector<SentencePart>& parts) const {
-  const auto [begin, end] = std::pair{parts[index].begin, parts[index].end};
+  const std::size_t begin = parts[index].begin, end = parts[index].end;
   std::set<std::string> signs;
   const auto at = [&](std::size_t i) { return i < end ? kinds_[i] : std::string("END"); };
   std::size_t head = begin;  // behind "so", "and", "please"
@@ -170,9 +167,8 @@ void PartReader::add_signs(std::size_t index, std::vector<SentencePart>& parts) 
 
 }  // namespace
 
-std::vector<SentencePart> sentence_parts(const std::vector<std::string>& tokens, const Language& language,
-                                         const Lexicon& lexicon) {
-  return PartReader(tokens, language, lexicon).parts();
+std::vector<SentencePart> sentence_parts(const std::vector<std::string>& tokens, const Language& language) {
+  return PartReader(tokens, language).parts();
 }
 
 std::vector<std::string> without_parts(const std::vector<std::string>& tokens,

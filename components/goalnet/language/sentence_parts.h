@@ -17,8 +17,7 @@ struct SentencePart {
 };
 
 // Parts end at punctuation and before words that begin clauses ("so", "because", "which", "could you", ...).
-std::vector<SentencePart> sentence_parts(const std::vector<std::string>& tokens, const Language& language,
-                                         const Lexicon& lexicon);
+std::vector<SentencePart> sentence_parts(const std::vector<std::string>& tokens, const Language& language);
 
 // The words without those parts. Of the things that a part names "told_of THINGS" stays, so that "it" can be
 // one.

@@ -149,7 +149,7 @@ bool RobotLanguage::idle(const std::vector<std::string>& tokens, const SentenceP
 }
 
 std::vector<SentencePart> RobotLanguage::parts(const std::vector<std::string>& tokens) const {
-  return sentence_parts(tokens, *language_, *lexicon_);
+  return sentence_parts(tokens, *language_);
 }
 
 std::vector<std::string> RobotLanguage::without(const std::vector<std::string>& tokens,

@@ -19,10 +19,8 @@ std::vector<StepKey> keys_of(const PartialRun& run, Key key) {
 
 }  // namespace
 
-FeatureContext::FeatureContext(const Instruction& instruction, const Lexicon& lexicon, const Hints& hints,
-                               const PartialRun& run)
+FeatureContext::FeatureContext(const Instruction& instruction, const Hints& hints, const PartialRun& run)
     : instruction_(instruction),
-      lexicon_(lexicon),
       hints_(hints),
       run_(run),
       handled_(instruction.objects.size(), 0),

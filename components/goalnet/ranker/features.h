@@ -30,8 +30,7 @@ struct ActionHints {
 // Everything about a decision that its candidates share. Make one per decision; it refers to its arguments.
 class FeatureContext {
  public:
-  FeatureContext(const Instruction& instruction, const Lexicon& lexicon, const Hints& hints,
-                 const PartialRun& run);
+  FeatureContext(const Instruction& instruction, const Hints& hints, const PartialRun& run);
 
   ActionHints hints(const SymAction& action) const;
   // Append features of `action` to `out`; numbers below kFeatureBuckets, possibly repeated. The fixed ones
@@ -71,7 +70,6 @@ class FeatureContext {
   void extract_stop(std::vector<std::uint32_t>& out) const;
 
   const Instruction& instruction_;
-  const Lexicon& lexicon_;
   const Hints& hints_;
   const PartialRun& run_;
   std::vector<std::uint8_t> handled_;                // per object: 1 moved or used, 2 as a place

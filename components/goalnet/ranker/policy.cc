@@ -9,7 +9,7 @@ Moment make_moment(const Instruction& instruction, const Lexicon& lexicon, const
                    const Hints& hints, const PartialRun& run) {
   Moment moment;
   moment.actions = Candidates(instruction, lexicon, places).in(run.now);
-  const FeatureContext context(instruction, lexicon, hints, run);
+  const FeatureContext context(instruction, hints, run);
   moment.decision.features.reserve(moment.actions.size() * 120);
   moment.decision.offsets.reserve(moment.actions.size() + 1);
   moment.decision.offsets.push_back(0);
@@ -27,7 +27,6 @@ Rollout::Rollout(const LogLinear& model, const Instruction& instruction, const L
                  const Places& places, const Hints& hints, const SymState& start)
     : model_(model),
       instruction_(instruction),
-      lexicon_(lexicon),
       candidates_(instruction, lexicon, places),
       hints_(hints),
       start_(start) {
@@ -39,7 +38,7 @@ Rollout::Rollout(const LogLinear& model, const Instruction& instruction, const L
 void Rollout::expand(std::size_t index) {
   if (nodes_[index].expanded) return;
   ++moments_;
-  const FeatureContext context(instruction_, lexicon_, hints_, nodes_[index].run);
+  const FeatureContext context(instruction_, hints_, nodes_[index].run);
   struct Choice {
     SymAction action;
     std::uint32_t number;

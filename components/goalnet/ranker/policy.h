@@ -58,7 +58,6 @@ class Rollout {
 
   const LogLinear& model_;
   const Instruction& instruction_;
-  const Lexicon& lexicon_;
   const Candidates candidates_;
   const Hints& hints_;
   const SymState start_;

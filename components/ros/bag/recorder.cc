@@ -30,8 +30,10 @@ std::vector<OfferedQos> profiles(const std::map<Gid, OfferedQos>& offered) {
 
 // Lets callbacks of the loop find the recorder while it lives.
 struct Recorder::Inbox {
+  Inbox(Recorder* owner, std::size_t limit) : recorder(owner), most_waiting(limit) {}
+
   Recorder* recorder;
-  std::size_t most_waiting;
+  const std::size_t most_waiting;          // [bytes]
   std::atomic<std::size_t> waiting{0};     // [bytes]
   std::atomic<std::uint64_t> left_out{0};  // messages
 
