@@ -15,6 +15,13 @@ std::size_t ClauseParser::caused(std::size_t at, std::size_t end, Clause& clause
   if (!language_.hears_people() || thing == nullptr || thing->person || !clause.state.empty() ||
       clause.first(Role::kDestination) != nullptr || reader_.name_length(at) > 0)
     return at;
+  // "get the dispenser to stop"
+  if (words_[at] == "to" && at + 1 < end && (clause.verb == "get" || clause.verb == "make") &&
+      (language_.verb(words_[at + 1]) == Frame::kStop || language_.verb(words_[at + 1]) == Frame::kStart) &&
+      !reader_.starts(at + 2, end)) {
+    clause.frame = language_.verb(words_[at + 1]), clause.verb = words_[at + 1], clause.to_person = false;
+    return at + 2;
+  }
   const std::string& word = words_[at];
   const Frame frame = language_.verb(word);
   if (clause.frame == Frame::kMake && clause.verb == "make" && !language_.participle(word) &&

@@ -111,7 +111,9 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       NounPhrase phrase;
       std::size_t k = i + 1;
       while (k < end && (words_[k] == "for" || words_[k] == "than")) ++k;
-      const std::size_t done = reader_.read(k, end, phrase);
+      const bool places =
+          language_.hears_people() && role == Role::kSource;  // "from all armchairs except ..."
+      const std::size_t done = reader_.read(k, end, phrase, places);
       phrase.role = Role::kExcept;
       NounPhrase place, next_place;
       const std::size_t after = reader_.read_place(done, end, place);
@@ -122,6 +124,10 @@ std::size_t ClauseParser::command(std::size_t at, std::size_t end, Mood mood) {
       if (its_place) phrase.at.push_back(place);
       i = its_place ? after : std::max(done, i + 1);
       clause.phrases.push_back(std::move(phrase));
+      continue;
+    }
+    if (const std::size_t done = caused(i, end, clause); done != i) {
+      i = done;
       continue;
     }
     // "take the mug to fill it", "use the spoon to scoop ice cream"

@@ -46,6 +46,15 @@ std::size_t ClauseParser::state_of_place(std::size_t at, Clause& clause) const {
 // "(the xbox has) a disc in it", "(the armchair has) no pillow on it": the disc is in the xbox; `at` where it
 // is none.
 std::size_t ClauseParser::bears_thing(std::size_t at, std::size_t end, Clause& clause) const {
+  // "(if the controller is) with the xbox"
+  if (NounPhrase beside; language_.hears_people() && judging_ && words_[at] == "with" &&
+                         clause.phrases.size() == 1 && clause.phrases.front().at.empty()) {
+    const std::size_t done = reader_.read(at + 1, end, beside);
+    if (done == at + 1 || beside.person || beside.unknown || beside.pronoun) return at;
+    beside.where = Where::kNear;
+    clause.phrases.front().at.push_back(std::move(beside));
+    return done;
+  }
   if (!language_.hears_people() || !judging_ || at == 0 || clause.phrases.size() != 1 ||
       (words_[at - 1] != "has" && words_[at - 1] != "have"))
     return at;

@@ -10,17 +10,6 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
-std::size_t ClauseParser::skip_part(std::size_t at, std::size_t end) const {
-  while (at < end && words_[at] != ",") ++at;
-  return at;
-}
-
-void ClauseParser::for_later() {
-  result_.for_later = true;
-  if (result_.problem.empty())
-    result_.problem = "wishes for later are not kept; say it when it is to be done";
-}
-
 void ClauseParser::add(Clause clause) {
   if (clause.mood == Mood::kCommand && clause.condition.empty()) {
     clause.condition = conditional_.condition;

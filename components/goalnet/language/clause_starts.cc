@@ -89,4 +89,15 @@ bool ClauseParser::starts_clause(std::size_t at, std::size_t end) const {
   return opens_command(at, end);
 }
 
+std::size_t ClauseParser::skip_part(std::size_t at, std::size_t end) const {
+  while (at < end && words_[at] != ",") ++at;
+  return at;
+}
+
+void ClauseParser::for_later() {
+  result_.for_later = true;
+  if (result_.problem.empty())
+    result_.problem = "wishes for later are not kept; say it when it is to be done";
+}
+
 }  // namespace goalnet::inference

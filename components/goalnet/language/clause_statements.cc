@@ -16,32 +16,6 @@ constexpr std::array kSpeakers = {"i"sv,  "we"sv,       "you"sv,     "he"sv,    
 
 }  // namespace
 
-// "(the beer is empty) and should be binned": of the same thing; `at` where it is none.
-std::size_t ClauseParser::of_the_same(std::size_t at, std::size_t end) {
-  // "(the kettle should be full) and hot"
-  if (language_.hears_people() && at + 1 < end && words_[at] == "and" && !result_.clauses.empty() &&
-      result_.clauses.back().mood == Mood::kCommand && !result_.clauses.back().state.empty() &&
-      result_.clauses.back().phrases.size() == 1 && ends_here(at + 2, end) &&
-      language_.wanted_by_state(words_[at + 1]) != Frame::kNone && reader_.name_length(at + 1) == 0) {
-    Clause also = result_.clauses.back();
-    also.frame = language_.wanted_by_state(words_[at + 1]), also.verb = also.state = words_[at + 1];
-    add(std::move(also));
-    return at + 2;
-  }
-  if (!language_.hears_people() || at + 2 >= end || words_[at] != "and" ||
-      (words_[at + 1] != "should" && words_[at + 1] != "must") || result_.clauses.empty() ||
-      result_.clauses.back().mood != Mood::kStatement ||
-      result_.clauses.back().first(Role::kDirect) == nullptr)
-    return at;
-  Clause same;
-  same.mood = Mood::kStatement;
-  same.phrases = {*result_.clauses.back().first(Role::kDirect)};
-  add(std::move(same));
-  std::size_t k = at + 2;
-  while (k < end && language_.copula(words_[k])) ++k;
-  return predicate(k, end, result_.clauses.back(), true, false);
-}
-
 std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
   std::size_t i = at;
   bool negative = false, desired = ensured_;

@@ -90,6 +90,19 @@ std::string FrameActions::add(const Clause& clause) {
   return problem;
 }
 
+// "warm up whatever is in the mug": the mug.
+Clause FrameActions::what_holds_it(const Clause& said) {
+  Clause clause = said;
+  for (NounPhrase& phrase : clause.phrases) {
+    if (!at_home_ || phrase.role != Role::kDirect || !phrase.everything || phrase.at.size() != 1) continue;
+    const NounPhrase& in = phrase.at.front();
+    if (in.pronoun || in.bare() || in.negated || resolver_.options(in, Sort::kVessel, now_).empty()) continue;
+    phrase = NounPhrase(in);
+    phrase.role = Role::kDirect;
+  }
+  return clause;
+}
+
 std::string FrameActions::dispatch(const Clause& clause) {
   if (const NounPhrase* channel = at_home_ ? channel_of_television(clause) : nullptr; channel != nullptr) {
     Clause change;
@@ -128,9 +141,9 @@ std::string FrameActions::dispatch(const Clause& clause) {
     case Frame::kWash:
       return wash(clause);
     case Frame::kHeat:
-      return heat(clause, false);
+      return heat(what_holds_it(clause), false);
     case Frame::kBoil:
-      return heat(clause, true);
+      return heat(what_holds_it(clause), true);
     case Frame::kAdd:
     case Frame::kSqueeze:
       return add_to(clause);

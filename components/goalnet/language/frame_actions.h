@@ -75,6 +75,7 @@ class FrameActions {
   void keep_held(SymDelta& step) const;
   void close_tap();
   Problem keep(Symbol x, Symbol y, Where where);
+  Clause what_holds_it(const Clause& said);
   Problem dispatch(const Clause& clause);
   bool holds(const Clause& statement, Problem& problem);
   // Whether it is on, open, full, ... now; nothing for states that no fact tells.
@@ -162,6 +163,7 @@ class FrameActions {
   bool closes_tap_;
   bool tap_fills_ = false;  // it was turned on to fill something, and runs still
   bool tap_asked_ = false;  // somebody wants it to run
+  bool silent_ = false;     // the television was to be silent while it was off
   bool moves_ = false;      // "move", "carry": to another place than where it is
   Objects avoid_;           // places: what stands there already is not what should be put there
 };

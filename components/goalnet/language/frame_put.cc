@@ -9,7 +9,8 @@ namespace goalnet::inference {
 using namespace symbol;
 
 std::string FrameActions::put(const Clause& said) {
-  if (at_home_ && said.has_particle("at_tray")) return put_on_tray(said);
+  if (at_home_ && said.has_particle("at_tray") && said.first(Role::kDestination) == nullptr)
+    return put_on_tray(said);
   Clause clause = said;
   // "bring the book on the shelf": where one is on the shelf, that says which
   if (const NounPhrase* thing = clause.first(Role::kDirect), *place = clause.first(Role::kDestination);

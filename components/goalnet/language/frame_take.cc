@@ -1,4 +1,4 @@
-// Going to things, taking them, letting go of them.
+// Going to things, taking them.
 #include <algorithm>
 
 #include "components/goalnet/language/frame_actions.h"
@@ -43,7 +43,8 @@ std::string FrameActions::go(const Clause& clause) {
 }
 
 std::string FrameActions::take(const Clause& clause) {
-  if (at_home_ && clause.has_particle("at_tray")) return put_on_tray(clause);
+  if (at_home_ && clause.has_particle("at_tray"))
+    return clause.first(Role::kDestination) == nullptr ? put_on_tray(clause) : put(clause);
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.scoop) return scoop(clause);
     if (language_.tv_word(phrase.phrase) && phrase.role == Role::kDirect)
@@ -223,34 +224,6 @@ std::string FrameActions::take_up(Symbol object) {
   macros_.push_back({Verb::kGrasp, object});
   steps_.emplace_back();
   steps_.back().added = {sym_fact(Relation::kGrasping, kRobot, object)};
-  return {};
-}
-
-std::string FrameActions::release(const Clause& clause) {
-  if (clause.first(Role::kDestination) != nullptr) return put(clause);
-  Objects objects;
-  bool said = false;
-  for (const NounPhrase& phrase : clause.phrases) {
-    if (phrase.role != Role::kDirect) continue;
-    said = true;
-    Objects options;
-    if (phrase.pronoun || phrase.everything) {
-      for (const SymFact fact : now_.facts())
-        if (relation_of(fact) == Relation::kGrasping) options.push_back(object_of(fact));
-    } else {
-      options = resolver_.options(phrase, Sort::kMovable, now_);
-      std::erase_if(options, [&](Symbol object) { return !now_.holds(object); });
-      options = resolver_.chosen(phrase, options);
-    }
-    if (options.empty()) return "the robot does not hold that";
-    objects.insert(objects.end(), options.begin(), options.end());
-  }
-  if (!said)
-    for (const SymFact fact : now_.facts())
-      if (relation_of(fact) == Relation::kGrasping) objects.push_back(object_of(fact));
-  if (objects.empty()) return "it is not clear what to let go of";
-  for (const Symbol object : objects)
-    if (const Problem problem = act({Verb::kRelease, object}); !problem.empty()) return problem;
   return {};
 }
 

@@ -76,6 +76,7 @@ std::string FrameActions::television(const Clause& clause) {
   const bool quiet = down || clause.frame == Frame::kMute || clause.has_particle("off");
   if (!channels && quiet && !is_on(kTv_1)) {  // it is silent already
     remember({Symbol{kTv_1}});
+    silent_ = clause.frame == Frame::kMute;  // "tv please, no sound, channel two"
     return {};
   }
   if (const Problem problem = turn_on(kTv_1, true, 0); !problem.empty()) return problem;
@@ -99,6 +100,8 @@ std::string FrameActions::television(const Clause& clause) {
               act({Verb::kPress, up ? Symbol{kTv_1ChannelUpButton} : Symbol{kTv_1ChannelDownButton}});
           !problem.empty())
         return problem;
+    if (at_home_ && (silent_ || clause.frame == Frame::kMute) && now_.is(kTv_1, kVolume))
+      return act({Verb::kPress, Symbol{kTv_1VolumeDownButton}});
     return {};
   }
   if (now_.is(kTv_1, kVolume) != quiet) return {};

@@ -18,7 +18,6 @@ std::string FrameActions::put_on_tray(const Clause& clause) {
   if (tray_ == kNone) return not_here("there is no tray here");
   Clause moved = clause;
   moved.particles.clear();
-  std::erase_if(moved.phrases, [](const NounPhrase& phrase) { return phrase.role == Role::kDestination; });
   Problem problem;
   const Objects objects = direct(moved, Sort::kMovable, problem);
   if (!problem.empty()) return problem;

@@ -13,6 +13,10 @@ std::string FrameActions::empty(const Clause& clause) {
   if (destination != nullptr && !destination->pronoun && !destination->bare() &&
       !resolver_.options(*destination, Sort::kVessel, now_).empty())
     return pour(clause);
+  if (const NounPhrase* thing =
+          clause.first(Role::kDirect);  // "unload everything you carry onto the counter"
+      at_home_ && destination != nullptr && thing != nullptr && thing->everything && thing->has("held"))
+    return put(clause);
   // "dump the trash bag into the bin": what is no vessel goes there as it is
   if (const NounPhrase* thing = clause.first(Role::kDirect);
       destination != nullptr && thing != nullptr && !thing->pronoun && !thing->bare() && !thing->everything &&

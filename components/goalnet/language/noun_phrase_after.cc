@@ -123,7 +123,8 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
     }
     if (((word == "you" || word == "i") && i + 1 < end &&
          (words_.text[i + 1] == "are" || words_.text[i + 1] == "am" || words_.text[i + 1] == "have" ||
-          language_.verb(words_.text[i + 1]) == Frame::kTake)) ||
+          language_.verb(words_.text[i + 1]) == Frame::kTake ||
+          (language_.hears_people() && words_.text[i + 1] == "carry"))) ||
         word == "lying" || word == "sitting" || word == "standing" || word == "currently" ||
         word == "laying") {
       const std::size_t done = relative(i, end, phrase);

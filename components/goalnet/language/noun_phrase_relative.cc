@@ -26,11 +26,13 @@ std::size_t NounPhraseReader::relative(std::size_t i, std::size_t end, NounPhras
   while (k < end && one_of(words_.text[k], kLying)) ++k;
   if (k + 1 < end && (words_.text[k] == "you" || words_.text[k] == "i") &&
       (words_.text[k + 1] == "are" || words_.text[k + 1] == "am" || words_.text[k + 1] == "have" ||
-       language_.verb(words_.text[k + 1]) == Frame::kTake)) {
+       language_.verb(words_.text[k + 1]) == Frame::kTake ||
+       (language_.hears_people() && words_.text[k + 1] == "carry"))) {
     ++k;
-    while (k < end && (words_.text[k] == "are" || words_.text[k] == "am" || words_.text[k] == "have" ||
-                       words_.text[k] == "currently" || words_.text[k] == "just" ||
-                       language_.verb(words_.text[k]) == Frame::kTake || words_.text[k] == "up"))
+    while (k < end &&
+           (words_.text[k] == "are" || words_.text[k] == "am" || words_.text[k] == "have" ||
+            words_.text[k] == "currently" || words_.text[k] == "carry" || words_.text[k] == "just" ||
+            language_.verb(words_.text[k]) == Frame::kTake || words_.text[k] == "up"))
       ++k;
     if (k < end && (words_.text[k] == "in" || words_.text[k] == "with")) {  // "have in your hand"
       NounPhrase hand;
