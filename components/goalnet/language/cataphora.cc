@@ -29,6 +29,8 @@ void name_what_comes_last(Sentence& words, const Language& language) {
   std::size_t end = words.size();
   while (end > 0 && (words[end - 1] == "." || words[end - 1] == "please")) --end;
   if (end < 4) return;
+  if (spans.is_one(end - 1, {"does", "do", "is", "are", "must", "should"}))
+    --end;  // "it belongs there, the coke does"
   const std::size_t begin = spans.part_begin(end - 1);
   if (begin < 3 || words[begin - 1] != "," ||
       (spans.things(begin) != end && spans.place(spans.things(begin)) != end) || words[end - 1] == "one" ||

@@ -212,6 +212,13 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
       const bool only = last->phrases.size() == 1 || old.unknown;
       if (only) role = old.role, phrase.where = old.where;
     }
+  // "put on five, the channel I mean": says the same
+  if (language_.hears_people() && !told_which && phrase.number == 0 && phrase.ordinal == 0 &&
+      phrase.count == 0 && phrase.adjectives.empty() && phrase.at.empty() && !phrase.plural &&
+      std::any_of(last->phrases.begin(), last->phrases.end(), [&](const NounPhrase& old) {
+        return old.number > 0 && !old.phrase.empty() && old.phrase == phrase.phrase;
+      }))
+    return done;
   // "the fork and the plate, no, not the plate, the spoon": only that one
   if (const auto one = std::find_if(last->phrases.begin(), last->phrases.end(), denies);
       told_which && one != last->phrases.end()) {

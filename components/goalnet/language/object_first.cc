@@ -1,5 +1,6 @@
 // Things and places before the verb: "in the sink the bowl you must put", "the chips I would like"; what is
 // told of before its subject: "is too loud the tv".
+#include <algorithm>
 #include <array>
 
 #include "components/goalnet/language/language.h"
@@ -93,6 +94,21 @@ void places_last(Sentence& words, const Language& language) {
     if (spans.ends(place)) continue;
     const std::size_t wish = spans.phrase(place, {"i want", "i need", "i would like", "we want"});
     std::size_t thing = wish;
+    // "on burner three the kettle must stand", "into the bin it goes"
+    const std::size_t subject = spans.is_one(place, {"it", "they", "that"}) ? place + 1 : spans.things(place);
+    const std::size_t must =
+        spans.phrase(subject, {"must", "must go", "must stand", "must be", "must lie", "must come",
+                               "has to go", "have to go", "has to be", "has to stand", "should go",
+                               "should stand", "should be", "goes", "go", "belongs", "belong", "shall go"});
+    if (subject != place && must != subject && spans.ends(spans.skip_small(must))) {
+      Sentence said = cut(words, place, subject);
+      if (said.front() == "they") said.front() = "them";
+      said.insert(said.begin(), "put");
+      const Sentence where = cut(words, at, place);
+      said.insert(said.end(), where.begin(), where.end());
+      replace(words, at, must, said);
+      continue;
+    }
     if (wish == place &&
         (!(one_of(words[place], kArticles) || spans.is_one(place, {"all", "both"})) || words[at] == "at"))
       continue;
@@ -212,6 +228,29 @@ void let_it_go(Sentence& words, const Language& language) {
     order.insert(order.end(), what.begin(), what.end());
     if (begin > 0 && words[begin - 1] == "so") order.insert(order.begin(), ",");
     replace(words, begin, std::max(drain, go + 1), order);
+  }
+}
+
+// "is the tv on? it shouldn't be" -> "the tv should not be on"
+void answer_what_should_be(Sentence& words, const Language& language) {
+  for (std::size_t begin = 0; begin + 5 < words.size(); ++begin) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(begin) || !spans.is_one(begin, {"is", "are"})) continue;
+    const std::size_t thing = spans.thing(begin + 1);
+    const std::size_t state = spans.phrase(thing, {"still", "really", "already"});
+    if (thing == begin + 1 || state + 2 >= words.size() || !spans.ends(state + 1) ||
+        language.wanted_by_state(words[state]) == Frame::kNone)
+      continue;
+    const std::size_t it = spans.phrase(state + 2, {"it", "they", "that"});
+    const std::size_t should = spans.phrase(it, {"should be", "must be", "ought to be"});
+    const std::size_t should_not =
+        spans.phrase(it, {"should not be", "shouldnt be", "must not be", "mustnt be", "should not"});
+    const std::size_t end = std::max(should, should_not);
+    if (it == state + 2 || end == it || !spans.ends(end)) continue;
+    Sentence said = cut(words, begin + 1, thing);
+    said.insert(said.end(), {"should", "be", words[state]});
+    if (should_not != it) said.insert(said.end() - 2, "not");
+    replace(words, begin, end, said);
   }
 }
 

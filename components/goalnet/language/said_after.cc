@@ -133,6 +133,17 @@ void ask_for_any(Sentence& words, const Language& language) {
     replace(words, from, end, said);
   }
   const WordSpans spans(words, language);
+  for (std::size_t i = 1; i + 2 < words.size(); ++i) {  // "there is none, so a coke"
+    const std::size_t so = spans.phrase(i, {"so", "so just", "so maybe", "then", "so at least"});
+    const std::size_t end = spans.thing(so);
+    if (!spans.begins(i) || so == i || end == so || !spans.is_one(so, {"a", "an", "some", "one"}) ||
+        spans.orders(0, words.size()))
+      continue;
+    const std::size_t least = spans.phrase(end, {"at least", "then", "please", "instead"});
+    if (!spans.ends(least) || least + 1 < words.size()) continue;
+    replace(words, i, so, {"wish"});
+    return;
+  }
   for (std::size_t i = 0; i + 1 < words.size(); ++i)
     if (spans.begins(i) && words[i] == "any" && spans.name(i + 1) > 0 &&
         spans.ends(spans.skip_small(i + 1 + spans.name(i + 1))) && !spans.names(0, i) &&

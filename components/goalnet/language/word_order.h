@@ -43,6 +43,7 @@ void verbs_first(Sentence& words, const Language& language);
 void places_last(Sentence& words, const Language& language);
 void wished_things_last(Sentence& words, const Language& language);
 void subjects_first(Sentence& words, const Language& language);
+void answer_what_should_be(Sentence& words, const Language& language);
 // "all she drinks is coke" -> "she drinks coke"; "the coffee has to go down the drain" -> "empty the coffee".
 void uncleave(Sentence& words, const Language& language);
 void let_it_go(Sentence& words, const Language& language);

@@ -122,6 +122,7 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   descriptions_said_after(text, language);
   places_said_after(text, language);
   subjects_first(text, language);
+  answer_what_should_be(text, language);
   uncleave(text, language);
   let_it_go(text, language);
   verbs_first(text, language);
