@@ -23,7 +23,7 @@ constexpr std::array kNameless = {
     "whatnot"sv, "doodah"sv, "gizmo"sv,   "whatchamacallit"sv, "contraption"sv, "doohickey"sv, "gadget"sv};
 
 // Where the sentence goes on behind the article at `at` with which it broke off; `at` where it does not.
-std::size_t goes_on(const Sentence& words, const WordSpans& spans, std::size_t at) {
+std::size_t goes_on(const WordSpans& spans, std::size_t at) {
   std::size_t i = at + 1;
   for (std::size_t parts = 0; parts < kMostParts && spans.is(i, ","); ++parts) {
     ++i;
@@ -35,7 +35,6 @@ std::size_t goes_on(const Sentence& words, const WordSpans& spans, std::size_t a
     if (spans.names(next, i)) return at;
   }
   return at;
-  (void)words;
 }
 
 }  // namespace
@@ -44,7 +43,7 @@ void drop_false_starts(Sentence& words, const Language& language) {
   for (std::size_t at = 1; at + 2 < words.size(); ++at) {
     if (!one_of(words[at], kArticles) || words[at + 1] != ",") continue;
     const WordSpans spans(words, language);
-    const std::size_t next = goes_on(words, spans, at);
+    const std::size_t next = goes_on(spans, at);
     if (next == at) continue;
     const bool place_again = spans.place(next) != next || spans.is_one(next, {"anywhere", "somewhere"});
     const std::size_t from = place_again && place_preposition(words[at - 1]) ? at - 1 : at;

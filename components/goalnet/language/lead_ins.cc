@@ -15,7 +15,7 @@ using namespace word_group;
 namespace {
 
 // "you know what would be nice right now": where the thing is wished for that comes next.
-bool announces(const Sentence& words, const WordSpans& spans, std::size_t at, std::size_t end) {
+bool announces(const WordSpans& spans, std::size_t at, std::size_t end) {
   std::size_t i = spans.phrase(at, {"you know", "do you know", "know", "guess", "i know", "i tell you"});
   std::size_t to = i;  // "... with this film"
   while (to < end && !spans.is_one(to, {"with", "for", "in", "on"})) ++to;
@@ -24,7 +24,6 @@ bool announces(const Sentence& words, const WordSpans& spans, std::size_t at, st
   return spans.phrase(i, {"would", "could do with", "really would", "need", "want", "fancy", "could use",
                           "would like", "could really", "could go for", "could", "miss", "crave"}) != i &&
          end > i;
-  (void)words;
 }
 
 // "been a long day", "had a terrible night": tells what was, without saying who.
@@ -49,10 +48,9 @@ bool somebody_comes(const Sentence& words, const WordSpans& spans, const Languag
          spans.is_one(comes, {"at", "tomorrow", "tonight", "later", "soon", "today", "in", "on", "this"});
 }
 
-}  // namespace
-
-void drop_lead_ins(Sentence& words, const Language& language) {
-  for (std::size_t at = 0; at + 4 < words.size(); ++at) {  // "I would put it in the freezer if I were you"
+// "I would put it in the freezer if I were you"
+void advise(Sentence& words, const Language& language) {
+  for (std::size_t at = 0; at + 4 < words.size(); ++at) {
     const WordSpans spans(words, language);
     const std::size_t end =
         spans.phrase(at, {"if i were you", "if i was you", "if it were me", "if it was me"});
@@ -63,6 +61,10 @@ void drop_lead_ins(Sentence& words, const Language& language) {
     replace(words, at, end, {});
     replace(words, would - 1, would + 1, {"please"});
   }
+}
+
+// "hello, can you hear me ok, ..."
+void drop_calls(Sentence& words, const Language& language) {
   for (std::size_t at = 0; at + 4 < words.size(); ++at) {
     const WordSpans spans(words, language);
     const std::size_t done =
@@ -70,6 +72,13 @@ void drop_lead_ins(Sentence& words, const Language& language) {
                           "can you hear me now", "are you listening", "are you there", "are you awake"});
     if (done != at) replace(words, at, done, {","});
   }
+}
+
+}  // namespace
+
+void drop_lead_ins(Sentence& words, const Language& language) {
+  advise(words, language);
+  drop_calls(words, language);
   for (std::size_t at = 0; at < words.size();) {
     const WordSpans spans(words, language);
     const std::size_t begin = spans.skip_small(at), end = spans.part_end(at);
@@ -78,7 +87,7 @@ void drop_lead_ins(Sentence& words, const Language& language) {
       continue;
     }
     const bool more = at > 0 || end + 1 < words.size();
-    if (const std::size_t next = end + 1; next < words.size() && announces(words, spans, begin, end) &&
+    if (const std::size_t next = end + 1; next < words.size() && announces(spans, begin, end) &&
                                           spans.thing(next) != next &&
                                           !spans.is_one(spans.thing(next), {"is", "are", "on", "in"})) {
       replace(words, begin, next, {"wish"});

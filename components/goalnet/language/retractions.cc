@@ -41,18 +41,21 @@ std::size_t taken_back(const WordSpans& spans, std::size_t at) {
   return done != i && spans.ends(done) ? done : at;
 }
 
+// "forget the beer. Coke."
+void take_the_second(Sentence& words, const Language& language) {
+  const WordSpans spans(words, language);
+  const std::size_t head = spans.skip_small(0);
+  const std::size_t what = spans.phrase(head, {"forget", "skip", "never mind", "forget about"});
+  const std::size_t end = spans.thing(what), next = spans.skip_small(end + 1);
+  if (what != head && end != what && end < words.size() && spans.ends(end) && next < words.size() &&
+      spans.thing(next) != next && spans.ends(spans.skip_small(spans.thing(next))))
+    replace(words, head, next, {"wish"});
+}
+
 }  // namespace
 
 void mark_retractions(Sentence& words, const Language& language) {
-  {  // "forget the beer. Coke."
-    const WordSpans spans(words, language);
-    const std::size_t head = spans.skip_small(0);
-    const std::size_t what = spans.phrase(head, {"forget", "skip", "never mind", "forget about"});
-    const std::size_t end = spans.thing(what), next = spans.skip_small(end + 1);
-    if (what != head && end != what && end < words.size() && spans.ends(end) && next < words.size() &&
-        spans.thing(next) != next && spans.ends(spans.skip_small(spans.thing(next))))
-      replace(words, head, next, {"wish"});
-  }
+  take_the_second(words, language);
   for (std::size_t at = 1; at < words.size(); ++at) {
     const WordSpans spans(words, language);
     if (!spans.begins(at)) continue;

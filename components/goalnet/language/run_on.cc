@@ -67,6 +67,52 @@ bool request_may_end(const WordSpans& spans, std::size_t last) {
                              "here", "away", "again", "asap", "immediately"});
 }
 
+// "burner two and no other burner"
+void drop_no_other(Sentence& words, const Language& language) {
+  for (std::size_t i = 1; i + 2 < words.size(); ++i) {
+    const WordSpans spans(words, language);
+    const std::size_t no = spans.phrase(i, {"and no other", "but no other", "and no others", ", no other"});
+    const std::size_t end =
+        no == i ? i : no + std::max(spans.name(no), std::size_t{spans.is_one(no, {"one", "ones"})});
+    if (no != i && spans.ends(end)) replace(words, i, end, {});
+  }
+}
+
+// "that pillow over there on armchair two"
+void drop_pointing(Sentence& words, const Language& language) {
+  for (std::size_t i = 1; i + 2 < words.size(); ++i) {
+    const WordSpans spans(words, language);
+    const std::size_t there =
+        spans.phrase(i, {"there", "over there", "up there", "down there", "lying there", "standing there"});
+    if (there != i && !spans.ends(i - 1) && spans.name(i - 1) > 0 && spans.place(there) != there &&
+        !spans.orders(spans.part_begin(i), i))
+      replace(words, i, there, {});
+  }
+}
+
+// "in the sink no in the fridge", "burner one no burner two": whether what stands behind "no" is said
+// instead.
+bool instead_of_before(const Sentence& words, const WordSpans& spans, std::size_t begin, std::size_t no) {
+  const auto from = words.begin() + static_cast<long>(begin), to = words.begin() + static_cast<long>(no);
+  return words[no] == "no" && (one_of(words[no + 1], kArticles) || spans.place(no + 1) != no + 1 ||
+                               std::find(from, to, words[no + 1]) != to);
+}
+
+// "ramen in the bowl water in it": whether at `at` the next thing and its place begin.
+bool next_thing_and_place(const Sentence& words, const WordSpans& spans, std::size_t begin, std::size_t at) {
+  const std::size_t first = spans.skip_small(begin), thing = spans.thing(first), place = spans.place(thing);
+  const std::size_t second = at + spans.name(at);
+  return thing != first && place == at && place != thing && second != at && second < words.size() &&
+         place_preposition(words[second]) && !spans.ends(second + 1);
+}
+
+// "that is slow so ramen in the bowl"
+bool so_request(const WordSpans& spans, std::size_t at) {
+  const std::size_t thing = spans.thing(at + 1), place = spans.place(thing);
+  return spans.is(at, "so") && thing != at + 1 && place != thing &&
+         !spans.is_one(place, {"is", "are", "has", "have", "can", "stays", "should"});
+}
+
 }  // namespace
 
 void drop_tags(Sentence& words, const Language& language) {
@@ -103,21 +149,8 @@ void drop_tags(Sentence& words, const Language& language) {
 }
 
 void part_run_ons(Sentence& words, const Language& language) {
-  for (std::size_t i = 1; i + 2 < words.size(); ++i) {  // "burner two and no other burner"
-    const WordSpans spans(words, language);
-    const std::size_t no = spans.phrase(i, {"and no other", "but no other", "and no others", ", no other"});
-    const std::size_t end =
-        no == i ? i : no + std::max(spans.name(no), std::size_t{spans.is_one(no, {"one", "ones"})});
-    if (no != i && spans.ends(end)) replace(words, i, end, {});
-  }
-  for (std::size_t i = 1; i + 2 < words.size(); ++i) {  // "that pillow over there on armchair two"
-    const WordSpans spans(words, language);
-    const std::size_t there =
-        spans.phrase(i, {"there", "over there", "up there", "down there", "lying there", "standing there"});
-    if (there != i && !spans.ends(i - 1) && spans.name(i - 1) > 0 && spans.place(there) != there &&
-        !spans.orders(spans.part_begin(i), i))
-      replace(words, i, there, {});
-  }
+  drop_no_other(words, language);
+  drop_pointing(words, language);
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
     const WordSpans spans(words, language);
     if (spans.ends(i) || spans.ends(i - 1)) continue;
@@ -125,39 +158,15 @@ void part_run_ons(Sentence& words, const Language& language) {
     for (std::size_t k = begin; k + 1 < i; ++k)
       if (spans.is_one(k, {"so", "but", "and"})) begin = k + 1;
     // "I forgot the salt can you put some in the bowl"
-    if (asks_anew(words, spans, language, i) && !hangs_at(words, i - 1)) {
-      words.insert(words.begin() + static_cast<long>(i), ",");
-      continue;
-    }
-    // "that is slow so ramen in the bowl"
-    if (words[i] == "so" && spans.thing(i + 1) != i + 1 &&
-        spans.place(spans.thing(i + 1)) != spans.thing(i + 1) &&
-        !spans.is_one(spans.place(spans.thing(i + 1)),
-                      {"is", "are", "has", "have", "can", "stays", "should"})) {
-      words.insert(words.begin() + static_cast<long>(i), ",");
-      continue;
-    }
+    bool pause = (asks_anew(words, spans, language, i) && !hangs_at(words, i - 1)) || so_request(spans, i);
     const bool name_before = spans.name(i - 1) > 0 || number_word(words[i - 1]) > 0;
-    if (!name_before && !request_may_end(spans, i - 1)) continue;
-    bool pause = tells_from(words, spans, i, name_before) && !hangs(words, begin, i);
-    // "in the sink no in the fridge", "burner one no burner two"
-    if (words[i] == "no" && name_before && !hangs(words, begin, i)) {
-      const bool again =
-          one_of(words[i + 1], kArticles) || spans.place(i + 1) != i + 1 ||
-          std::find(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i),
-                    words[i + 1]) != words.begin() + static_cast<long>(i);
-      if (again) {
+    if (!pause && (name_before || request_may_end(spans, i - 1))) {
+      pause = tells_from(words, spans, i, name_before) && !hangs(words, begin, i);
+      if (name_before && !hangs(words, begin, i) && instead_of_before(words, spans, begin, i)) {
         replace(words, i, i + 1, {",", "no", ","});
         continue;
       }
-    }
-    // "ramen in the bowl water in it": the next thing and its place
-    if (!pause && spans.name(i) > 0 && name_before &&
-        spans.thing(spans.skip_small(begin)) != spans.skip_small(begin)) {
-      const std::size_t first = spans.thing(spans.skip_small(begin)), after = spans.place(first);
-      const std::size_t second = i + spans.name(i);
-      pause = after == i && after != first && second < words.size() && place_preposition(words[second]) &&
-              !spans.ends(second + 1);
+      pause = pause || (name_before && next_thing_and_place(words, spans, begin, i));
     }
     if (pause) words.insert(words.begin() + static_cast<long>(i), ",");
   }

@@ -42,6 +42,8 @@ void supply_what_lacks(Sentence& words, const Language& language);
 void verbs_first(Sentence& words, const Language& language);
 void places_last(Sentence& words, const Language& language);
 void wished_things_last(Sentence& words, const Language& language);
+// statement_order.cc: "is too loud the tv" -> "the tv is too loud"; "is the tv on? it shouldn't be" -> "the
+// tv should not be on".
 void subjects_first(Sentence& words, const Language& language);
 void answer_what_should_be(Sentence& words, const Language& language);
 // "all she drinks is coke" -> "she drinks coke"; "the coffee has to go down the drain" -> "empty the coffee".
