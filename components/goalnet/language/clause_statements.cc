@@ -132,7 +132,9 @@ std::size_t ClauseParser::statement(std::size_t at, std::size_t end) {
         from > i ? reader_.read(from, end, place, true) : reader_.read_place(i, end, place);
     if (done == from || place.person || place.hand || done >= end ||
         !(language_.copula(words_[done]) || one_of(words_[done], kDesire) || words_[done] == "can" ||
-          words_[done] == "may"))
+          words_[done] == "may" ||
+          (there && words_[done] == "that" && language_.hears_people() && done + 1 < end &&
+           one_of(words_[done + 1], kDesire))))
       break;
     subject.at.push_back(std::move(place));
     i = done;

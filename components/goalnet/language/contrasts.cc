@@ -15,6 +15,33 @@ constexpr std::size_t kLongest = 16;  // words that are not wanted
 
 }  // namespace
 
+// "it is not the spoon I want, it is the fork" -> "i want the fork"; "it was channel four I wanted, not five"
+void want_what_it_is(Sentence& words, const Language& language) {
+  for (std::size_t at = 0; at + 4 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(at)) continue;
+    const std::size_t no = spans.phrase(at, {"it is not", "it isnt", "it was not", "it wasnt"});
+    const std::size_t is = spans.phrase(at, {"it was", "it is"});
+    const std::size_t thing = spans.things(no != at ? no : is);
+    const std::size_t wish =
+        spans.phrase(thing, {"i want", "i wanted", "i need", "i needed", "i meant", "i asked for",
+                             "that i want", "that i wanted", "that i need", "that i meant", "i am after"});
+    if ((no == at && is == at) || thing == std::max(no, is) || wish == thing) continue;
+    if (no == at) {
+      const Sentence named = cut(words, is, thing);
+      replace(words, at, wish, {"i", "want"});
+      words.insert(words.begin() + static_cast<long>(at) + 2, named.begin(), named.end());
+      return;
+    }
+    std::size_t next = wish;
+    while (next < words.size() && (spans.ends(next) || words[next] == "but")) ++next;
+    const std::size_t other = spans.phrase(next, {"it is", "it was", "i want", "i need", "i meant"});
+    if (next == wish || other == next || spans.thing(other) == other) continue;
+    replace(words, at, other, {"i", "want"});
+    return;
+  }
+}
+
 void keep_the_contrast(Sentence& words, const Language& language) {
   const WordSpans spans(words, language);
   std::size_t at = spans.skip_small(0);

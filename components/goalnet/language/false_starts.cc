@@ -118,12 +118,14 @@ void drop_repetitions(Sentence& words, const Language& language) {
 void drop_topics_named_again(Sentence& words, const Language& language) {
   for (std::size_t i = 0; i + 2 < words.size(); ++i) {
     const WordSpans spans(words, language);
-    if (!spans.begins(i) || !spans.ends(i + 1) || !language.names_something(words[i]) ||
-        language.verb(words[i]) != Frame::kNone)
+    const std::size_t name = words[i] == "the" ? i + 1 : i, end = name + 1;
+    if (!spans.begins(i) || !spans.ends(end) || spans.ends(name) || end + 1 >= words.size() ||
+        !language.names_something(words[name]) || language.verb(words[name]) != Frame::kNone)
       continue;
-    const auto next = words.begin() + static_cast<long>(i) + 2,
-               stop = words.begin() + static_cast<long>(spans.part_end(i + 2));
-    if (std::find(next, stop, words[i]) != stop && stop - next > 2) replace(words, i, i + 2, {});
+    const std::size_t stop = spans.part_end(end + 1);
+    const auto to = words.begin() + static_cast<long>(stop);
+    const bool again = std::find(words.begin() + static_cast<long>(end) + 1, to, words[name]) != to;
+    if (again && stop > end + (name > i ? 2 : 3)) replace(words, i, end + 1, {});
   }
 }
 

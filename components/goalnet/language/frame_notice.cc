@@ -54,8 +54,10 @@ void FrameActions::notice(const Clause& clause) {
         !located.at.front().negated) {
       resolver_.remember(objects);
       if (const NounPhrase& place = located.at.front(); !place.pronoun && !place.bare() && !place.unknown)
-        if (const Objects there = resolver_.options(place, Sort::kPlace, now_); !there.empty())
-          last_destination_ = {there.front()};
+        if (const Objects there = resolver_.options(place, Sort::kPlace, now_); !there.empty()) {
+          const Symbol stands = objects.empty() ? Symbol{kNone} : resolver_.place_of(objects.front(), now_);
+          last_destination_ = {contains(there, stands) ? stands : there.front()};
+        }
     }
     together.insert(together.end(), objects.begin(), objects.end());
     if (at_home_)

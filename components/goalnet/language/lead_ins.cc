@@ -50,7 +50,7 @@ bool somebody_comes(const Sentence& words, const WordSpans& spans, const Languag
 
 // "I would put it in the freezer if I were you"
 void advise(Sentence& words, const Language& language) {
-  for (std::size_t at = 0; at + 4 < words.size(); ++at) {
+  for (std::size_t at = 0; at + 4 <= words.size(); ++at) {
     const WordSpans spans(words, language);
     const std::size_t end =
         spans.phrase(at, {"if i were you", "if i was you", "if it were me", "if it was me"});
@@ -65,7 +65,7 @@ void advise(Sentence& words, const Language& language) {
 
 // "hello, can you hear me ok, ..."
 void drop_calls(Sentence& words, const Language& language) {
-  for (std::size_t at = 0; at + 4 < words.size(); ++at) {
+  for (std::size_t at = 0; at + 4 <= words.size(); ++at) {
     const WordSpans spans(words, language);
     const std::size_t done =
         spans.phrase(at, {"can you hear me", "do you hear me", "can you hear me ok", "can you hear me okay",
@@ -74,10 +74,50 @@ void drop_calls(Sentence& words, const Language& language) {
   }
 }
 
+// "to boil the water you must put ..." -> "put ..."; "I can reach them if you put them there" -> "please put
+// ..."
+void drop_purposes(Sentence& words, const Language& language) {
+  for (std::size_t at = 0; at + 4 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (!spans.begins(at)) continue;
+    const std::size_t end = spans.part_end(at);
+    const bool purpose = words[at] == "to" && spans.order(at + 1);
+    const bool could = spans.phrase(at, {"i can", "i could", "we can", "we could", "i will"}) != at;
+    for (std::size_t i = at + 2; (purpose || could) && i + 2 < end; ++i) {
+      const std::size_t you = purpose ? spans.phrase(i, {"you must", "you have to", "you need to",
+                                                         "you should", "you can", "you will have to"})
+                                      : spans.phrase(i, {"if you", "if you would", "if you could"});
+      if (you == i || !spans.order(you)) continue;
+      replace(words, at, you, {"please"});
+      break;
+    }
+  }
+}
+
+// "if I had a glass of water I'd be happy" -> "wish a glass of water"
+void wish_what_if(Sentence& words, const Language& language) {
+  for (std::size_t at = 0; at + 4 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    const std::size_t had = spans.phrase(at, {"if i had", "if only i had", "if i only had", "if we had"});
+    const std::size_t thing = spans.thing(had);
+    const std::size_t would =
+        spans.phrase(spans.is(thing, ",") ? thing + 1 : thing, {"i would be", "we would be", "i would feel"});
+    if (had == at || thing == had || !spans.begins(at) ||
+        !(spans.is_one(would, {"happy", "glad", "fine", "better", "content", "happier", "grateful", "good",
+                               "so", "very"})))
+      continue;
+    const Sentence named = cut(words, had, thing);
+    replace(words, at, spans.part_end(would), {"wish"});
+    words.insert(words.begin() + static_cast<long>(at) + 1, named.begin(), named.end());
+  }
+}
+
 }  // namespace
 
 void drop_lead_ins(Sentence& words, const Language& language) {
   advise(words, language);
+  drop_purposes(words, language);
+  wish_what_if(words, language);
   drop_calls(words, language);
   for (std::size_t at = 0; at < words.size();) {
     const WordSpans spans(words, language);

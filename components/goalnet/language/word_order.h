@@ -51,6 +51,7 @@ void uncleave(Sentence& words, const Language& language);
 void let_it_go(Sentence& words, const Language& language);
 // contrasts.cc: "not the books on the shelf, leave those, but the one on the couch" -> "wish the book on
 // ...".
+void want_what_it_is(Sentence& words, const Language& language);
 void keep_the_contrast(Sentence& words, const Language& language);
 // said_after.cc: "the burner, number three" -> "the burner three"; "the discs both of them" -> "both the
 // discs ,"; "the armchair, it is the one without a pillow" -> "the armchair without a pillow"; "Book. Any

@@ -111,6 +111,7 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   drop_topics_named_again(text, language);
   drop_lead_ins(text, language);
   mark_retractions(text, language);
+  want_what_it_is(text, language);
   keep_the_contrast(text, language);
   say_what_was_left_undone(text, language);
   say_what_is_not_heard(text, language);
