@@ -10,6 +10,24 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
+namespace {
+
+bool only_told_of_tv(const Clause& clause, const NounPhrase& place) {
+  static constexpr std::array kTelevisions = {"tv"sv, "telly"sv, "television"sv};
+  return clause.mood == Mood::kStatement && place.phrase == "channel" && clause.phrases.size() == 1 &&
+         one_of(clause.phrases.front().phrase, kTelevisions);
+}
+
+// Whether the part up to `at` is a condition.
+bool under_if(const std::vector<std::string>& words, std::size_t at) {
+  static constexpr std::array kIf = {"if"sv, "unless"sv, "when"sv, "whenever"sv, "case"sv};
+  for (std::size_t i = at; i-- > 0 && words[i] != "," && words[i] != ".";)
+    if (one_of(words[i], kIf)) return true;
+  return false;
+}
+
+}  // namespace
+
 // What is said of the subject, from `at` on. `clause` is the last of the result.
 std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& clause, bool desired,
                                     bool negative) {
@@ -82,6 +100,9 @@ std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& cla
         clause.belongs = true;
         place.role = Role::kDestination;
         clause.phrases.push_back(place);
+      } else if (only_told_of_tv(clause, place) &&
+                 !under_if(words_, at)) {  // "the tv is on channel three" tells how it is
+        clause.state = "on";
       } else if (place.phrase == "channel" && place.number > 0) {  // "my show is on channel 2"
         clause.frame = Frame::kChange, clause.verb = "change", clause.wish = true;
         place.role = Role::kDirect;

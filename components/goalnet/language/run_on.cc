@@ -141,7 +141,10 @@ void drop_tags(Sentence& words, const Language& language) {
     }
     const bool tag =
         spans.ends(i - 1) && one_of(words[i], kNot) && one_of(words[i + 1], kWho) && spans.ends(i + 2);
-    if (tag)
+    // "the tv is on channel three, isn't it?" only asks
+    const bool only_asks = tag && spans.is_one(i, {"isnt", "arent", "wasnt"}) && i + 3 >= words.size() &&
+                           !spans.orders(0, i - 1);
+    if (tag && !only_asks)
       replace(words, i - 1, i + 2, {});
     else
       ++i;
