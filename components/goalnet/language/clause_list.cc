@@ -74,7 +74,7 @@ bool ClauseParser::begins_anew(std::size_t i, std::size_t next, std::size_t done
   const bool statement_follows = done < end && (language_.copula(words_[done]) || phrase.person);
   if (statement_follows && skip_joins(done, end) == done) return true;
   // "a book, the one on the shelf": tells which book
-  if (NounPhrase place; comma && words_[next] == "the" && words_[next + 1] == "one" &&
+  if (NounPhrase place; comma && next + 1 < end && words_[next] == "the" && words_[next + 1] == "one" &&
                         ends_here(std::max(done, reader_.read_place(done, end, place)), end) &&
                         !(phrase.at.empty() && place.bare()))
     return true;
