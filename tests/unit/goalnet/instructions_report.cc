@@ -68,9 +68,10 @@ void report(InstructionRunner& runner, const RobotLanguage& language, std::vecto
                             : "WRONG  ",
               row[0].c_str(), row[1].c_str());
   if (!row[2].empty()) std::printf("         wanted: %s\n", row[2].c_str());
-  std::printf("         %s%s%s\n",
-              run.refused ? "" : "did:", run.refused ? "" : changes(world.facts, run.facts).c_str(),
-              run.message.empty() ? "" : (" (" + run.message + ")").c_str());
+  if (run.refused)
+    std::printf("         (%s)\n", run.message.c_str());
+  else
+    std::printf("         did, %.2f sure:%s\n", run.confidence, changes(world.facts, run.facts).c_str());
   if (const auto tokens = tokenize(row[1], Endings::kKept)) {
     std::printf("         background:");
     for (const SentencePart& part : language.parts(*tokens))
