@@ -81,6 +81,7 @@ void say_what_is_not_heard(Sentence& words, const Language& language) {
     if (!spans.begins(i) && !spans.is_one(i - 1, {"and", "but", "because"})) continue;
     std::size_t k = spans.phrase(
         i, {"i", "we", "you", "nobody", "no one", "nobody here", "nobody back here", "nobody over here"});
+    if (k == i) k = somebody(words, language, i);  // "my wife", "grandpa"
     k = spans.phrase(k, {"really", "just", "still"});
     const bool nobody = spans.is_one(i, {"nobody", "no"});
     std::size_t verb = spans.phrase(k, {"cant", "can not", "cannot", "can hardly", "can barely",

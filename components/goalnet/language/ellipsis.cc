@@ -80,6 +80,19 @@ class Filler {
     return true;
   }
 
+  // Whether the things listed up to a full stop are what the sentence behind calls "both", "all", "them".
+  bool lists_for_all(const std::vector<Span>& spans, std::size_t from) const {
+    static constexpr std::array kAllOfThem = {"both"sv, "all"sv, "them"sv, "those"sv, "these"sv};
+    std::size_t last = from;
+    while (last + 1 < spans.size() && spans[last + 1].part == Part::kThings &&
+           words_.text[spans[last].end] == ",")
+      ++last;
+    if (last + 1 >= spans.size() || words_.text[spans[last].end] != ".") return false;
+    const Span& order = spans[last + 1];
+    return order.content + 1 < order.end && language_.verb(words_.text[order.content]) != Frame::kNone &&
+           one_of(words_.text[order.content + 1], kAllOfThem);
+  }
+
   bool change() {
     const PartReader reader(words_, language_, lexicon_);
     const std::vector<Span> spans = reader.spans();
@@ -113,6 +126,12 @@ class Filler {
       if (one.part == Part::kVerb && two.part == Part::kThings && words_.text[one.end] == "." &&
           one.end == one.content + 1) {
         erase(one.end);
+        return true;
+      }
+      // "egg, fork. bring both."
+      if (one.part == Part::kThings && two.part == Part::kThings && sentence_start &&
+          words_.text[one.end] == "," && lists_for_all(spans, i + 1)) {
+        words_.text[one.end] = "and";
         return true;
       }
       // "egg and fork. bring both.": those that were listed

@@ -14,6 +14,7 @@ using namespace word_group;
 
 void resolve_headings(std::vector<std::string>& words, const Language& language) {
   constexpr std::size_t kLongestHeading = 5;
+  static constexpr std::array kWaste = {"rubbish"sv, "trash"sv, "garbage"sv, "waste"sv};  // what to bin
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] != ":") continue;
     std::size_t begin = i;
@@ -27,16 +28,18 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
     // "snack table: chips + bowl": that is where they go
     std::string heading;
     for (std::size_t k = begin; k < i; ++k) heading += (k > begin ? " " : "") + words[k];
-    if (at_start && language.names_place(heading)) {
+    const bool waste = i == begin + 1 && one_of(words[begin], kWaste);
+    if (at_start && (waste || language.names_place(heading))) {
       std::size_t things_end = i + 1;
       bool only_things = i + 1 < words.size();
       for (; things_end < words.size() && words[things_end] != "."; ++things_end) {
         const std::string& word = words[things_end];
         only_things = only_things && word != ":" && word != "off" && !place_preposition(word) &&
                       (language.verb(word) == Frame::kNone || language.names_something(singular(word))) &&
-                      language.wanted_by_state(word) == Frame::kNone;
+                      !(waste && language.copula(word)) && language.wanted_by_state(word) == Frame::kNone;
       }
       if (only_things && things_end > i + 1) {
+        if (waste) words[begin] = "bin";
         std::vector<std::string> said = {"put"};
         said.insert(said.end(), words.begin() + static_cast<long>(i) + 1,
                     words.begin() + static_cast<long>(things_end));

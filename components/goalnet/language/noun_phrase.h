@@ -83,6 +83,7 @@ class NounPhraseReader {
   std::size_t after(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t relative(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t bears(std::size_t at, std::size_t end, NounPhrase& phrase, bool stranded = false) const;
+  std::size_t has_on_it(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::size_t lacks(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   bool leads_part(std::size_t at) const;
   std::size_t of(std::size_t at, std::size_t end, NounPhrase& phrase) const;

@@ -100,6 +100,10 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
             i += words_.text[i + 1] == "it" ? 2 : 1;
           continue;
         }
+        if (const std::size_t on_it = has_on_it(k + 1, end, phrase); on_it != k + 1) {
+          i = on_it;
+          continue;
+        }
       }
       const std::size_t done = relative(k, end, phrase);
       if (done == k) return i;
@@ -149,14 +153,10 @@ std::size_t NounPhraseReader::after(std::size_t i, std::size_t end, NounPhrase& 
       continue;
     }
     // "the burner with the kettle on it"
-    if (NounPhrase on_it;
-        language_.hears_people() && word == "with" && lexicon_.is_place_name(phrase.phrase)) {
-      const std::size_t done = read(i + 1, end, on_it);
-      if (done != i + 1 && done + 1 < end && !on_it.person && !on_it.unknown &&
-          (words_.text[done] == "on" || words_.text[done] == "in") && words_.text[done + 1] == "it") {
-        on_it.where = Where::kUnder;
-        phrase.at.push_back(on_it);
-        i = done + 2;
+    if (word == "with") {
+      const std::size_t done = has_on_it(i + 1, end, phrase);
+      if (done != i + 1) {
+        i = done;
         continue;
       }
     }

@@ -114,6 +114,19 @@ std::size_t NounPhraseReader::bears(std::size_t i, std::size_t end, NounPhrase& 
   return preposition ? k + 1 : k;
 }
 
+// "(the shelf with, that has) the plate on it"; `i` where it is none.
+std::size_t NounPhraseReader::has_on_it(std::size_t i, std::size_t end, NounPhrase& phrase) const {
+  if (!language_.hears_people() || !lexicon_.is_place_name(phrase.phrase)) return i;
+  NounPhrase on_it;
+  const std::size_t done = read(i, end, on_it);
+  if (done == i || done + 1 >= end || on_it.person || on_it.unknown ||
+      (words_.text[done] != "on" && words_.text[done] != "in") || words_.text[done + 1] != "it")
+    return i;
+  on_it.where = Where::kUnder;
+  phrase.at.push_back(std::move(on_it));
+  return done + 2;
+}
+
 // "without a pillow (on it)", "with nothing in it"; `i` where it is none.
 std::size_t NounPhraseReader::lacks(std::size_t i, std::size_t end, NounPhrase& phrase) const {
   const bool place = lexicon_.is_place_name(phrase.phrase) ||

@@ -23,6 +23,7 @@ void erase(std::vector<std::string>& words, std::size_t from, std::size_t to) {
 void drop_relative_parts(std::vector<std::string>& words, const Language& language) {
   static constexpr std::array kDenies = {"not"sv, "never"sv, "should"sv, "shouldnt"sv, "isnt"sv, "doesnt"sv};
   static constexpr std::array kIs = {"is"sv, "are"sv, "stands"sv, "lies"sv, "sits"sv};
+  static constexpr std::array kSets = {"tv"sv, "telly"sv, "television"sv, "set"sv};
   for (std::size_t i = 1; i + 2 < words.size(); ++i) {
     if (words[i] != "," || words[i + 1] != "which" || language.names_thing(words[i + 2]) ||
         words[i + 2] == "one")
@@ -30,16 +31,19 @@ void drop_relative_parts(std::vector<std::string>& words, const Language& langua
     std::size_t end = i + 2;
     bool denies = false, channel = false;
     for (; !ends_part(words, end); ++end) {
-      denies = denies || one_of(words[end], kDenies);
+      denies = denies || one_of(words[end], kDenies) || one_of(words[end], kDesire) || words[end] == "but";
       channel = channel || words[end] == "channel";
     }
-    if (channel) continue;  // "the news, which is on channel five, ..." says what to turn to
+    // "the news, which is on channel five, ..." says what to turn to; "the tv, which is on channel three,
+    // ..." how it is
+    if (channel && (denies || !one_of(words[i - 1], kSets))) continue;
     // "the pillow, which is on the shelf, ..." says which one
     const bool places =
         !denies && one_of(words[i + 2], kIs) && i + 3 < end && place_preposition(words[i + 3]);
-    const bool goes_on = end + 1 < words.size() && words[end] == "," &&
-                         (language.copula(words[end + 1]) || one_of(words[end + 1], kDesire) ||
-                          words[end + 1] == "has" || words[end + 1] == "needs" || words[end + 1] == "can");
+    const bool goes_on =
+        end + 1 < words.size() && words[end] == "," &&
+        (language.copula(words[end + 1]) || one_of(words[end + 1], kDesire) || words[end + 1] == "has" ||
+         words[end + 1] == "needs" || words[end + 1] == "can" || (channel && words[end + 1] == "by"));
     if (goes_on) erase(words, end, end + 1);
     if (places) {
       words[i + 1] = "that";

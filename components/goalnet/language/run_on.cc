@@ -46,7 +46,13 @@ bool asks_anew(const Sentence& words, const WordSpans& spans, const Language& la
 // Whether a clause that only tells something begins at `at`, inside a part that asks: "it is melting", "my
 // show is starting".
 bool tells_from(const Sentence& words, const WordSpans& spans, std::size_t at, bool behind_name) {
-  if (at + 2 >= words.size() || spans.ends(at + 1)) return false;
+  if (at + 1 >= words.size() || spans.ends(at + 1)) return false;
+  // "the coke i am starving": nothing that anybody does with the coke
+  const std::size_t am = spans.phrase(at, {"im", "i am", "we are"});
+  if (am != at && spans.is_one(am, {"starving", "dying", "freezing", "sleeping", "leaving", "working"}) &&
+      spans.ends(am + 1))
+    return true;
+  if (at + 2 >= words.size()) return false;
   const bool being = spans.is_one(at + 1, {"is", "are", "has", "was", "were"});
   if (spans.is_one(at, {"it", "they", "he", "she"})) return being;
   if (spans.is_one(at, {"i", "we"}) && spans.name(spans.part_begin(at)) == at - spans.part_begin(at))
@@ -74,7 +80,11 @@ void drop_no_other(Sentence& words, const Language& language) {
     const std::size_t no = spans.phrase(i, {"and no other", "but no other", "and no others", ", no other"});
     const std::size_t end =
         no == i ? i : no + std::max(spans.name(no), std::size_t{spans.is_one(no, {"one", "ones"})});
-    if (no != i && spans.ends(end)) replace(words, i, end, {});
+    if (no == i || !spans.ends(end)) continue;
+    // ", and no other book, to the shelf": the place belongs to what stands before
+    const bool between = words[i - 1] == "," && spans.is(end, ",") && end + 1 < words.size() &&
+                         place_preposition(words[end + 1]);
+    replace(words, between ? i - 1 : i, between ? end + 1 : end, {});
   }
 }
 

@@ -81,6 +81,19 @@ bool is_state(const std::string& word, const Language& language) {
   return language.wanted_by_state(word) != Frame::kNone || language.complaint(word) != Frame::kNone;
 }
 
+// "sooo" -> "so", "loooud" -> "loud"; the word itself where that is none.
+std::string without_drawl(const std::string& word, const Language& language) {
+  std::string once, twice;
+  for (const char letter : word) {
+    if (once.empty() || once.back() != letter) once += letter;
+    const std::size_t n = twice.size();
+    if (n < 2 || twice[n - 1] != letter || twice[n - 2] != letter) twice += letter;
+  }
+  const bool digits = word.find_first_of("0123456789") != std::string::npos;
+  if (twice == word || digits || once.size() < 2) return word;
+  return language.known(twice) ? twice : language.known(once) ? once : word;
+}
+
 // "runing" -> "running"; empty for what does not end so.
 std::string with_doubled(const std::string& word) {
   if (word.size() < 6 || !word.ends_with("ing")) return {};
@@ -162,6 +175,10 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
       text.push_back(token);
     } else if (is_sound(token, language.hears_people())) {
       continue;
+    } else if (const std::string drawled = without_drawl(token, language);
+               language.hears_people() && drawled != token) {
+      text.push_back(drawled);
+      ++words.corrected;
     } else if (const std::string& other = language.synonym(token); other != token) {
       text.push_back(other);
       ++words.synonyms;
