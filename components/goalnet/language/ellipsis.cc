@@ -13,6 +13,7 @@ using namespace word_group;
 namespace {
 
 constexpr std::array kTemperatures = {"hot"sv, "warm"sv};
+constexpr std::array kAllOfThem = {"both"sv, "all"sv, "them"sv};
 
 class Filler {
  public:
@@ -82,7 +83,6 @@ class Filler {
 
   // Whether the things listed up to a full stop are what the sentence behind calls "both", "all", "them".
   bool lists_for_all(const std::vector<Span>& spans, std::size_t from) const {
-    static constexpr std::array kAllOfThem = {"both"sv, "all"sv, "them"sv, "those"sv, "these"sv};
     std::size_t last = from;
     while (last + 1 < spans.size() && spans[last + 1].part == Part::kThings &&
            words_.text[spans[last].end] == ",")
@@ -137,10 +137,11 @@ class Filler {
       // "egg and fork. bring both.": those that were listed
       if (one.part == Part::kThings && sentence_start && two.content + 1 < two.end &&
           language_.verb(words_.text[two.content]) != Frame::kNone &&
-          (words_.text[two.content + 1] == "both" || words_.text[two.content + 1] == "all") &&
+          one_of(words_.text[two.content + 1], kAllOfThem) &&
           std::count(words_.text.begin() + static_cast<long>(one.content),
                      words_.text.begin() + static_cast<long>(one.end), "and") > 0 &&
           (two.content + 2 == two.end || reader.harmless(two.content + 2) ||
+           one_of(words_.text[two.content + 2], kParticles) ||
            place_preposition(words_.text[two.content + 2]))) {
         const std::vector<std::string> things(words_.text.begin() + static_cast<long>(one.content),
                                               words_.text.begin() + static_cast<long>(one.end));

@@ -15,6 +15,7 @@ using namespace word_group;
 void resolve_headings(std::vector<std::string>& words, const Language& language) {
   constexpr std::size_t kLongestHeading = 5;
   static constexpr std::array kWaste = {"rubbish"sv, "trash"sv, "garbage"sv, "waste"sv};  // what to bin
+  static constexpr std::array kNoList = {"nothing"sv, "no"sv, "not"sv, "but"sv};
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] != ":") continue;
     std::size_t begin = i;
@@ -36,7 +37,8 @@ void resolve_headings(std::vector<std::string>& words, const Language& language)
         const std::string& word = words[things_end];
         only_things = only_things && word != ":" && word != "off" && !place_preposition(word) &&
                       (language.verb(word) == Frame::kNone || language.names_something(singular(word))) &&
-                      !(waste && language.copula(word)) && language.wanted_by_state(word) == Frame::kNone;
+                      !(waste && (language.copula(word) || one_of(word, kNoList))) &&
+                      language.wanted_by_state(word) == Frame::kNone;
       }
       if (only_things && things_end > i + 1) {
         if (waste) words[begin] = "bin";
