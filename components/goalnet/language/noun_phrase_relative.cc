@@ -116,7 +116,8 @@ std::size_t NounPhraseReader::bears(std::size_t i, std::size_t end, NounPhrase& 
 
 // "(the shelf with, that has) the plate on it"; `i` where it is none.
 std::size_t NounPhraseReader::has_on_it(std::size_t i, std::size_t end, NounPhrase& phrase) const {
-  if (!language_.hears_people() || !lexicon_.is_place_name(phrase.phrase)) return i;
+  const bool place = lexicon_.is_place_name(phrase.phrase) || one_of(phrase.phrase, kFurniture);
+  if (!language_.hears_people() || !place) return i;
   NounPhrase on_it;
   const std::size_t done = read(i, end, on_it);
   if (done == i || done + 1 >= end || on_it.person || on_it.unknown ||
