@@ -23,15 +23,22 @@ int failed(const Error& error) {
   return static_cast<int>(error.outcome);
 }
 
-Json read_results(const std::filesystem::path& path, const Json& about) {
+// Hours of training are kept there: results of other data or settings are neither mixed with these nor lost.
+Expected<Json> read_results(const std::filesystem::path& path, const Json& about) {
   std::ifstream file(path);
-  if (file) {
-    Json results = Json::parse(file, nullptr, false);
-    // Results of other data or settings are not mixed with these.
-    if (results.is_object() && results.contains("about") && results["about"]["identity"] == about["identity"])
-      return results;
-  }
-  return {{"about", about}, {"runs", Json::array()}};
+  if (!file) return Json{{"about", about}, {"runs", Json::array()}};
+  Json results = Json::parse(file, nullptr, false);
+  if (!results.is_object() || !results["about"].is_object() || !results["runs"].is_array())
+    return fail(Outcome::kInvalidRequest,
+                path.string() + ": is not what goalnet ablate writes; give another folder with --out");
+  const Json& theirs = results["about"];
+  if (theirs.value("identity", "") != about["identity"])
+    return fail(Outcome::kInvalidRequest,
+                path.string() + ": holds results of other data or settings (" +
+                    std::to_string(theirs.value("epochs", 0)) + " epochs, seed " +
+                    std::to_string(theirs.value("seed", 0)) +
+                    "); use the same --epochs and --seed to add to them, or another folder with --out");
+  return results;
 }
 
 bool has_run(const Json& results, std::string_view variant, int fold) {
@@ -88,7 +95,9 @@ int ablate_command(int argc, char** argv) {
   const std::filesystem::path kept = std::filesystem::path(out) / "benchmark" / "results.json";
   std::error_code ignored;
   std::filesystem::create_directories(kept.parent_path(), ignored);
-  Json results = read_results(kept, about);
+  auto read = read_results(kept, about);
+  if (!read) return failed(read.error());
+  Json results = std::move(*read);
   results["about"] = about;
 
   const bool terminal = isatty(STDERR_FILENO) != 0;
