@@ -96,6 +96,28 @@ void say_what_is_not_heard(Sentence& words, const Language& language) {
   }
 }
 
+// "the microwave door is open and I keep bumping my head on it": somebody shall see to it
+void mend_what_annoys(Sentence& words, const Language& language) {
+  for (std::size_t i = 1; i + 2 < words.size(); ++i) {
+    const WordSpans spans(words, language);
+    if (!spans.is_one(i, {"and", ","})) continue;
+    const std::size_t who = spans.is(i + 1, "and") ? i + 2 : i + 1;
+    const std::size_t keep =
+        std::max(somebody(words, language, who), spans.phrase(who, {"everyone", "everybody"}));
+    const std::size_t doing = spans.phrase(keep, {"keep", "keeps", "kept"});
+    if (keep == who || doing == keep || spans.ends(doing) || !words[doing].ends_with("ing")) continue;
+    const std::size_t begin = spans.part_begin(i - 1), thing = spans.thing(spans.skip_small(begin));
+    const bool state = thing < i && spans.is_one(thing, {"is", "are"}) &&
+                       std::any_of(words.begin() + static_cast<long>(thing),
+                                   words.begin() + static_cast<long>(i), [&](const std::string& word) {
+                                     return language.wanted_by_state(word) != Frame::kNone ||
+                                            language.complaint(word) != Frame::kNone;
+                                   });
+    if (!state || spans.part_end(doing) + 1 < words.size()) continue;
+    replace(words, i, spans.part_end(doing), {",", "see", "to", "it"});
+  }
+}
+
 // "I'd love to see the weather, ..., and the tv isn't even on"
 void turn_on_what_is_to_be_seen(Sentence& words, const Language& language) {
   const auto sees = std::find_if(words.begin(), words.end(), [](const std::string& word) {

@@ -6,10 +6,12 @@ namespace goalnet::inference {
 
 using namespace symbol;
 
-// "give water in the kettle", "give me coke in the glass", "... in it instead"; nothing where it is not that.
+// "give water in the kettle", "get me coke in the glass", "... in it instead"; nothing where it is not that.
 std::optional<std::string> FrameActions::give_content(const Clause& clause) {
   const NounPhrase* thing = clause.first(Role::kDirect);
-  if (!at_home_ || clause.verb != "give" || thing == nullptr || thing->definite) return std::nullopt;
+  if (!at_home_ || (clause.verb != "give" && (!clause.to_person || clause.wish)) || thing == nullptr ||
+      thing->definite)
+    return std::nullopt;
   const Symbol content = language_.content(thing->phrase);
   const NounPhrase* in = thing->at.empty() ? clause.first(Role::kDestination) : &thing->at.front();
   const bool drink = content == kWater || content == kCoffee || content == kCoke || content == kEnergyDrink ||
@@ -26,7 +28,6 @@ std::optional<std::string> FrameActions::give_content(const Clause& clause) {
 // Nothing where somebody is given something.
 std::optional<std::string> FrameActions::give(const Clause& clause) {
   const NounPhrase* thing = clause.first(Role::kDirect);
-  if (const auto filled = give_content(clause)) return *filled;
   // "the armchair has no pillow, give it the one from the shelf"
   if (at_home_ && clause.verb == "give" && !clause.to_person && clause.phrases.size() >= 2 &&
       clause.phrases[0].role == Role::kDirect && clause.phrases[1].role == Role::kDirect) {

@@ -11,6 +11,8 @@ using namespace symbol;
 std::string FrameActions::put(const Clause& said) {
   if (at_home_ && said.has_particle("at_tray") && said.first(Role::kDestination) == nullptr)
     return put_on_tray(said);
+  if (said.frame == Frame::kBring)  // "bring me some water in a long cup"
+    if (const auto filled = give_content(said)) return *filled;
   Clause clause = said;
   // "bring the book on the shelf": where one is on the shelf, that says which
   if (const NounPhrase* thing = clause.first(Role::kDirect), *place = clause.first(Role::kDestination);

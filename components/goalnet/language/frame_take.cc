@@ -110,6 +110,7 @@ std::string FrameActions::take(const Clause& clause) {
     gathered.frame = Frame::kPlace, gathered.to_person = false;
     return put(gathered);
   }
+  if (const auto filled = give_content(clause)) return *filled;
   if (clause.verb == "give")
     if (const auto given = give(clause)) return *given;
   // "hold the glass under the water dispenser"

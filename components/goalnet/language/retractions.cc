@@ -36,9 +36,35 @@ std::size_t taken_back(const WordSpans& spans, std::size_t at) {
                                             "leave that",
                                             "do not bother",
                                             "dont bother",
+                                            "what am i saying",
+                                            "what am i doing",
+                                            "what am i thinking",
+                                            "what am i on about",
+                                            "what am i talking about",
                                             "do not",
                                             "dont"});
   return done != i && spans.ends(done) ? done : at;
+}
+
+// Behind "well not throw", where that is the verb of an order before; `at` where it is not that.
+std::size_t verb_denied(const Sentence& words, const WordSpans& spans, std::size_t at) {
+  const std::size_t no = spans.skip_small(at), verb = spans.phrase(no, {"not", "dont", "do not"});
+  if (verb == no || !spans.order(verb) || !spans.ends(verb + 1)) return at;
+  for (std::size_t i = 0; i + 1 < at; ++i)
+    if (words[i] == words[verb]) return verb + 1;
+  return at;
+}
+
+// Behind "that's got coffee in it", said between what is taken back and what is asked instead; `at` where it
+// is not that.
+std::size_t reason(const WordSpans& spans, std::size_t at) {
+  if (!spans.is_one(at, {"that", "it", "this", "they", "those", "there", "i", "we", "he", "she", "the"}) ||
+      spans.orders(at, spans.part_end(at)))
+    return at;
+  std::size_t next = spans.part_end(at);
+  const std::size_t told = next;
+  while (spans.is_one(next, {",", "."})) ++next;
+  return next > told && spans.orders(next, spans.part_end(next)) ? next : at;
 }
 
 // "forget the beer. Coke."
@@ -59,13 +85,15 @@ void mark_retractions(Sentence& words, const Language& language) {
   for (std::size_t at = 1; at < words.size(); ++at) {
     const WordSpans spans(words, language);
     if (!spans.begins(at)) continue;
-    const std::size_t done = taken_back(spans, at);
+    const std::size_t denied = verb_denied(words, spans, at);
+    const std::size_t done = denied != at ? denied : taken_back(spans, at);
     if (done == at || !spans.orders(0, at - 1)) continue;
     std::size_t next = done;
     while (next < words.size() && spans.ends(next)) ++next;
     // "..., I'll get it myself"
     if (spans.phrase(next, {"i will", "ill", "i can", "we will"}) != next && !spans.names(next, words.size()))
       next = words.size();
+    next = reason(spans, next);
     const bool leave = words[done - 2] == "leave";  // "take the book, leave it, ..." may speak of the book
     const std::size_t end = spans.part_end(next);
     bool anew = spans.orders(next, end);

@@ -16,8 +16,9 @@ void numbers_said_after(Sentence& words, const Language& language) {
   for (std::size_t at = 2; at + 1 < words.size(); ++at) {
     const WordSpans spans(words, language);
     if (words[at - 1] != ",") continue;
-    const std::size_t number = spans.phrase(at, {"number", "the number", "nr", "no"});
-    if (number == at || number >= words.size() || number_word(words[number]) == 0 ||
+    const std::size_t said_so = spans.phrase(at, {"specifically", "namely", "that is", "to be precise"});
+    const std::size_t number = spans.phrase(said_so, {"number", "the number", "nr", "no"});
+    if (number == said_so || number >= words.size() || number_word(words[number]) == 0 ||
         number_word(words[number]) > 6 || !spans.ends(spans.skip_small(number + 1)))
       continue;
     const std::size_t begin = spans.part_begin(at - 2);
@@ -32,6 +33,8 @@ void numbers_said_after(Sentence& words, const Language& language) {
     const std::string said = words[number];
     replace(words, at - 1, number + 1, {});
     words.insert(words.begin() + static_cast<long>(name_end), said);
+    if (name_end > 1 && words[name_end - 2] == "one")  // "one burner, number three"
+      words.erase(words.begin() + static_cast<long>(name_end) - 2);
   }
 }
 
@@ -57,6 +60,30 @@ void counts_said_after(Sentence& words, const Language& language) {
     said.insert(said.end(), named.begin(), named.end());
     if (!spans.ends(done)) said.emplace_back(",");
     replace(words, thing, done, said);
+  }
+}
+
+// "take the salt off the stove, and the coke too, and ..." -> "take the salt and the coke off the stove, and
+// ..."
+void things_said_after(Sentence& words, const Language& language) {
+  for (std::size_t at = 4; at + 2 < words.size(); ++at) {
+    const WordSpans spans(words, language);
+    if (words[at] != "and" || !one_of(words[at + 1], kArticles)) continue;
+    const std::size_t other = spans.thing(at + 1), too = spans.phrase(other, {"too", "also", "as well"});
+    if (other == at + 1 || too == other || !(spans.ends(too) || spans.is(too, "and")) ||
+        language.names_place(words[other - 1]))
+      continue;
+    const std::size_t place_end = spans.ends(at - 1) ? at - 1 : at;
+    std::size_t from = place_end - 1;
+    while (from > 1 && !spans.ends(from) && !spans.is_one(from, {"off", "from"})) --from;
+    if (!spans.is_one(from, {"off", "from"}) || spans.thing(from + 1) != place_end) continue;
+    const std::size_t end = spans.is(from - 1, "away") ? from - 1 : from;
+    std::size_t thing = end - 1;
+    while (thing > 0 && !spans.ends(thing) && !one_of(words[thing], kArticles)) --thing;
+    if (!one_of(words[thing], kArticles) || thing == 0 || spans.thing(thing) != end) continue;
+    const Sentence said = cut(words, at, other);
+    replace(words, place_end, too, {});
+    words.insert(words.begin() + static_cast<long>(end), said.begin(), said.end());
   }
 }
 

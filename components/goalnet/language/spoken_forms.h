@@ -38,6 +38,9 @@ void wishes_first(std::vector<std::string>& words);
 // "ensure the salt stood on the counter again" (what "it would be nice if ..." became) -> "ensure the salt is
 // on the counter"; "I wish the tv was on" -> "ensure the tv is on".
 void wished_past(std::vector<std::string>& words);
+// "wish the fork to be placed in the bowl and the spoon to be placed in the mug" -> "..., wish the spoon
+// ...".
+void repeat_the_wish(std::vector<std::string>& words, const Language& language);
 // ", ," and ", ." where something between fell away.
 void join_pauses(std::vector<std::string>& words);
 

@@ -18,9 +18,26 @@ bool thing_alone(const WordSpans& spans, std::size_t at, std::size_t end) {
   return at < end && spans.thing(at) == end;
 }
 
+// "kettle, water in, heat it" -> "kettle, fill with water, heat it"
+void fill_in_steps(Sentence& words, const Language& language) {
+  const WordSpans spans(words, language);
+  const std::size_t begin = spans.skip_small(0), end = spans.part_end(begin);
+  if (!thing_alone(spans, begin, end) || end >= words.size() || words[end] != ",") return;
+  const std::size_t what = spans.skip_small(end + 1), in = what + spans.name(what);
+  const std::size_t done = spans.phrase(in, {"in", "inside", "in it", "into it"});
+  std::string content;
+  for (std::size_t i = what; i < in; ++i) content += (i > what ? " " : "") + words[i];
+  if (done == in || !spans.ends(done) || language.content(content) == symbol::kNone) return;
+  Sentence said = {"fill", "with"};
+  const Sentence named = cut(words, what, in);
+  said.insert(said.end(), named.begin(), named.end());
+  replace(words, what, done, said);
+}
+
 }  // namespace
 
 void spell_out_steps(Sentence& words, const Language& language) {
+  fill_in_steps(words, language);
   const WordSpans spans(words, language);
   const std::size_t begin = spans.skip_small(0), end = spans.part_end(begin);
   if (end + 2 >= words.size() || words[end] != "," || !thing_alone(spans, begin, end) ||

@@ -5,6 +5,7 @@
 
 #include "components/goalnet/language/spoken_forms.h"
 #include "components/goalnet/language/word_groups.h"
+#include "components/goalnet/language/word_spans.h"
 
 namespace goalnet::inference {
 
@@ -88,6 +89,26 @@ void wished_past(std::vector<std::string>& words) {
       words.erase(words.begin() + static_cast<long>(i) + 1, words.begin() + static_cast<long>(thing));
     }
     if (behind_subordinate(words, i)) words.insert(words.begin() + static_cast<long>(i), ",");
+  }
+}
+
+// "wish the fork to be placed in the bowl and the spoon to be placed in the mug": two wishes
+void repeat_the_wish(std::vector<std::string>& words, const Language& language) {
+  bool wished = false;
+  for (std::size_t i = 0; i + 3 < words.size(); ++i) {
+    const WordSpans spans(words, language);
+    if (words[i] == ".") wished = false;
+    const bool joined = spans.is_one(i, {"and", ","}) && !spans.is_one(i + 1, {"and", "wish"});
+    const bool asks = spans.is_one(i, {"wish", "want", "need", "like", "require"});
+    const std::size_t thing = asks || joined ? i + 1 : i;
+    const std::size_t named = thing == i ? i : spans.things(thing);
+    if (named == thing || spans.phrase(named, {"to be"}) == named) continue;
+    if (wished && joined) {
+      const bool pause = spans.ends(i) || spans.ends(i - 1);
+      words.insert(words.begin() + static_cast<long>(thing), "wish");
+      if (!pause) words[i] = ",";
+    }
+    wished = true;
   }
 }
 

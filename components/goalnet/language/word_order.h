@@ -15,6 +15,8 @@ void drop_false_starts(Sentence& words, const Language& language);
 void drop_nameless(Sentence& words, const Language& language);
 void drop_repetitions(Sentence& words, const Language& language);
 void drop_topics_named_again(Sentence& words, const Language& language);
+// measures.cc: "about 250 ml of water" -> "water".
+void drop_measures(Sentence& words, const Language& language);
 // run_on.cc: pauses where speech has none, "ice cream in the fridge it is melting", "in the sink no in the
 // fridge"; and asides between pauses that only ask for assent (", isn't it,").
 void drop_tags(Sentence& words, const Language& language);
@@ -31,6 +33,7 @@ void put_where_wanted(Sentence& words, const Language& language);
 // say on the tv" -> "raise the volume"; "the beer is on the shelf, so, please?" -> "wish the beer on the
 // shelf".
 void say_what_was_left_undone(Sentence& words, const Language& language);
+void mend_what_annoys(Sentence& words, const Language& language);
 void say_what_is_not_heard(Sentence& words, const Language& language);
 void turn_on_what_is_to_be_seen(Sentence& words, const Language& language);
 void wish_what_is_far(Sentence& words, const Language& language);
@@ -58,6 +61,7 @@ void keep_the_contrast(Sentence& words, const Language& language);
 // book." -> "wish any book".
 void numbers_said_after(Sentence& words, const Language& language);
 void counts_said_after(Sentence& words, const Language& language);
+void things_said_after(Sentence& words, const Language& language);
 void places_said_after(Sentence& words, const Language& language);
 void descriptions_said_after(Sentence& words, const Language& language);
 void ask_for_any(Sentence& words, const Language& language);

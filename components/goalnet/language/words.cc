@@ -119,6 +119,7 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   drop_repetitions(text, language);
   drop_false_starts(text, language);
   drop_nameless(text, language);
+  drop_measures(text, language);
   ask_for_any(text, language);
   part_run_ons(text, language);
   drop_topics_named_again(text, language);
@@ -127,6 +128,7 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   want_what_it_is(text, language);
   keep_the_contrast(text, language);
   say_what_was_left_undone(text, language);
+  mend_what_annoys(text, language);
   say_what_is_not_heard(text, language);
   wish_what_is_far(text, language);
   turn_on_what_is_to_be_seen(text, language);
@@ -134,6 +136,7 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   counts_said_after(text, language);
   numbers_said_after(text, language);
   descriptions_said_after(text, language);
+  things_said_after(text, language);
   places_said_after(text, language);
   subjects_first(text, language);
   answer_what_should_be(text, language);
@@ -215,6 +218,7 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   text.insert(text.begin(), ".");
   text = language.rewrite(std::move(text), kMaxAfterRewriting);
   if (language.hears_people()) wished_past(text);
+  if (language.hears_people()) repeat_the_wish(text, language);
   if (language.hears_people()) supply_what_lacks(text, language);
   if (language.hears_people()) join_pauses(text);
   join_wishes(text);
