@@ -69,7 +69,7 @@ TEST_F(Instructions, SensibleOnesReachTheirGoals) {
     EXPECT_LT(count[2], 0.05 * count[0]) << set;
   }
   EXPECT_EQ(counts["held_out"][0], 80);
-  EXPECT_EQ(counts["blind"][0], 651);
+  EXPECT_EQ(counts["blind"][0], 716);
 }
 
 TEST_F(Instructions, NonsenseIsRefusedWithAReason) {
