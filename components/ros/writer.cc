@@ -75,6 +75,10 @@ Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::P
 Writer::~Writer() {
   impl_->participant->written().forget(impl_->options.dds_topic, impl_->gid);
   impl_->writer->set_listener(nullptr);
+  // Fast DDS 2.9 gives back what is still unread while its heartbeat may be going through it, and then looks
+  // for the end of that list for ever: nothing may be left when a writer goes.
+  std::size_t dropped = 0;
+  impl_->writer->clear_history(&dropped);
   impl_->participant->publisher().delete_datawriter(impl_->writer);
   impl_->participant->release_topic(impl_->options.dds_topic);
   impl_->participant->remove_endpoint(impl_->gid);
