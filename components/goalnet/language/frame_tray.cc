@@ -9,7 +9,7 @@ using namespace symbol;
 
 namespace {
 
-constexpr std::size_t kMostOnTray = 4;
+constexpr std::size_t kMostOnTray = 4;  // as config/domains/household.pddl counts (TrayHolds)
 
 }  // namespace
 

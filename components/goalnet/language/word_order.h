@@ -39,9 +39,8 @@ void turn_on_what_is_to_be_seen(Sentence& words, const Language& language);
 void wish_what_is_far(Sentence& words, const Language& language);
 // After rewriting: "there is no fork on my plate, do_that" -> "put fork on my plate".
 void supply_what_lacks(Sentence& words, const Language& language);
-// object_first.cc: "in the sink the bowl you must put" -> "put the bowl in the sink"; "the chips I would
-// like"
-// -> "i would like the chips"; "is too loud the tv" -> "the tv is too loud"; "the tap please to turn on".
+// object_first.cc: "in the sink the bowl you must put" -> "put the bowl in the sink"; "the chips I
+// would like" -> "i would like the chips"; "the tap please to turn on" -> "turn on the tap".
 void verbs_first(Sentence& words, const Language& language);
 void places_last(Sentence& words, const Language& language);
 void wished_things_last(Sentence& words, const Language& language);

@@ -5,15 +5,13 @@
 
 #include "components/goalnet/language/robot_language.h"
 #include "components/goalnet/tokenizer.h"
-#include "tests/unit/goalnet/instruction_runner.h"
+#include "tests/unit/goalnet/instruction_fixture.h"
 
 namespace goalnet::inference {
 namespace {
 
-class BackgroundTest : public testing::Test {
+class BackgroundTest : public InstructionFixture {
  protected:
-  static void SetUpTestSuite() { runner = std::make_unique<InstructionRunner>(); }
-  static void TearDownTestSuite() { runner.reset(); }
   void SetUp() override {
     auto loaded = RobotLanguage::load(symbols);
     ASSERT_TRUE(loaded) << loaded.error().message;
@@ -36,12 +34,11 @@ class BackgroundTest : public testing::Test {
     return result;
   }
   static InstructionRunner::Run follow(const std::string& sentence) {
-    return runner->follow(runner->room("kitchen", ""), sentence);
+    return InstructionFixture::follow("kitchen", sentence);
   }
 
   Symbols symbols;
   std::unique_ptr<RobotLanguage> language;
-  inline static std::unique_ptr<InstructionRunner> runner;
 };
 
 TEST_F(BackgroundTest, PartsEndAtPunctuationAndWhereClausesBegin) {

@@ -3,30 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/goalnet/instruction_runner.h"
+#include "tests/unit/goalnet/instruction_fixture.h"
 
 namespace goalnet::inference {
 namespace {
 
-class CoverageTest : public testing::Test {
+class CoverageTest : public InstructionFixture {
  protected:
-  static void SetUpTestSuite() { runner = std::make_unique<InstructionRunner>(); }
-  static void TearDownTestSuite() { runner.reset(); }
-  static InstructionRunner::Run follow(const std::string& room, const std::string& sentence) {
-    return runner->follow(runner->room(room, ""), sentence);
-  }
   static void expect_refused_for(const std::string& room, const std::string& sentence,
                                  const std::string& thing) {
     const auto run = follow(room, sentence);
     EXPECT_TRUE(run.refused) << sentence;
     EXPECT_EQ(run.message, "it is not clear what to do with " + thing) << sentence;
   }
-  static void expect_reached(const std::string& room, const std::string& sentence, const std::string& goal) {
-    const auto run = follow(room, sentence);
-    EXPECT_FALSE(run.refused) << sentence << ": " << run.message;
-    EXPECT_TRUE(reached(goal, run.facts)) << sentence;
-  }
-  inline static std::unique_ptr<InstructionRunner> runner;
 };
 
 TEST_F(CoverageTest, WhatNothingUsesIsNamedInTheRefusal) {

@@ -3,22 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/goalnet/instruction_runner.h"
+#include "tests/unit/goalnet/instruction_fixture.h"
 
 namespace goalnet::inference {
 namespace {
 
-class SlipsTest : public testing::Test {
- protected:
-  static void SetUpTestSuite() { runner = std::make_unique<InstructionRunner>(); }
-  static void TearDownTestSuite() { runner.reset(); }
-  static void expect_reached(const std::string& room, const std::string& sentence, const std::string& goal) {
-    const auto run = runner->follow(runner->room(room, ""), sentence);
-    EXPECT_FALSE(run.refused) << sentence << ": " << run.message;
-    EXPECT_TRUE(reached(goal, run.facts)) << sentence;
-  }
-  inline static std::unique_ptr<InstructionRunner> runner;
-};
+using SlipsTest = InstructionFixture;
 
 TEST_F(SlipsTest, AThingReplacesTheOneBefore) {
   expect_reached("kitchen", "bring me the spoon, oops, the fork",
