@@ -157,7 +157,11 @@ std::string FrameActions::dispatch(const Clause& clause) {
     case Frame::kMute:
     case Frame::kRaise:
     case Frame::kLower:
-      return clause.frame == Frame::kRaise && !about_television(clause) ? take(clause) : television(clause);
+      // "raise the book" lifts it, "make the book louder" means nothing
+      return clause.frame == Frame::kRaise && !about_television(clause) &&
+                     language_.wanted_by_state(clause.verb) == Frame::kNone
+                 ? take(clause)
+                 : television(clause);
     case Frame::kMake:
       return make(clause);
     case Frame::kSwap:

@@ -31,7 +31,8 @@ bool FrameActions::about_television(const Clause& clause) const {
   return clause.has("channel") || clause.has("volume") || clause.has("sound");
 }
 
-// "I want the tv on channel 4": the channel, where the clause names the television as well.
+// "I want the tv on channel 4": the channel, where the clause names the television as well and nothing else
+// ("turn the pillow to channel 4") but what is shown there ("the game on channel 4").
 const NounPhrase* FrameActions::channel_of_television(const Clause& clause) const {
   static constexpr std::array kOthers = {Frame::kStop, Frame::kChange, Frame::kMute, Frame::kRaise,
                                          Frame::kLower};
@@ -42,7 +43,11 @@ const NounPhrase* FrameActions::channel_of_television(const Clause& clause) cons
   for (const NounPhrase& phrase : clause.phrases) {
     if (phrase.phrase == "channel" && phrase.number > 0) channel = &phrase;
     const auto named = phrase.phrase.empty() ? Objects{} : resolver_.named(phrase);
-    television = television || std::find(named.begin(), named.end(), Symbol{kTv_1}) != named.end();
+    const bool names_it = std::find(named.begin(), named.end(), Symbol{kTv_1}) != named.end();
+    if (!named.empty() && !names_it && phrase.role == Role::kDirect &&
+        !resolver_.is_of_class(named.front(), "cd"))
+      return nullptr;
+    television = television || names_it;
     for (const NounPhrase& place : phrase.at)
       if (place.phrase == "channel" && place.number > 0) channel = &place;
   }
@@ -51,7 +56,9 @@ const NounPhrase* FrameActions::channel_of_television(const Clause& clause) cons
 
 std::string FrameActions::television(const Clause& clause) {
   if (!resolver_.exists(kTv_1)) return not_here("there is no television here");
-  if (!about_television(clause)) return "it is not clear what to " + clause.verb;
+  const bool by_state = language_.wanted_by_state(clause.verb) != Frame::kNone;  // "make the book louder"
+  const std::string verb = (by_state ? "make " : "") + clause.verb;
+  if (!about_television(clause)) return "it is not clear what to " + verb;
   const bool down = clause.has("down") || clause.has("previous") || clause.has("lower") ||
                     clause.has("back") || clause.has("last") || clause.has("before") ||
                     clause.frame == Frame::kLower;
@@ -71,7 +78,7 @@ std::string FrameActions::television(const Clause& clause) {
         other_things || (std::find(named.begin(), named.end(), Symbol{kTv_1}) == named.end() &&
                          std::find(named.begin(), named.end(), Symbol{kTv_1Remote_1}) == named.end());
   }
-  if (other_things) return "it is not clear what to " + clause.verb;
+  if (other_things) return "it is not clear what to " + verb;
   const bool channels = clause.has("channel") || clause.frame == Frame::kChange;
   const bool quiet = down || clause.frame == Frame::kMute || clause.has_particle("off");
   if (!channels && quiet && !is_on(kTv_1)) {  // it is silent already
