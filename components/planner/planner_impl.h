@@ -67,6 +67,7 @@ struct Planner::Impl {
   enum class Focus { kNone, kPart, kAll };
   Focus focus_on(std::int64_t bound, Plan& plan, Budget& budget);
   std::int64_t dearest_action() const;
+  class Improvement;
   void improve(Plan& plan, bool& found, const SolveOptions& options, Budget& budget);
 };
 
