@@ -4,6 +4,7 @@
 #include "components/ros/detail/matches.h"
 #include "components/ros/detail/message_type.h"
 #include "components/ros/detail/participant.h"
+#include "components/ros/detail/queued_changes.h"
 #include "components/ros/endpoint.h"
 
 namespace goalnet::ros {
@@ -33,6 +34,7 @@ struct Writer::Impl : dds::DataWriterListener {
   std::shared_ptr<detail::Participant> participant;
   EndpointOptions options;
   dds::DataWriter* writer = nullptr;
+  std::unique_ptr<detail::QueuedChanges> queued_changes;
   Gid gid{};
   detail::Matches matches;
   std::function<void()> on_matched;
@@ -63,6 +65,9 @@ Expected<std::shared_ptr<Writer>> Writer::create(const std::shared_ptr<detail::P
     participant->release_topic(options.dds_topic);
     return fail(Outcome::kInternal, "Fast DDS cannot make a writer for " + options.dds_topic);
   }
+  // Other writers keep what all readers have, or repeat nothing.
+  if (options.qos.reliable && !options.qos.transient_local)
+    impl->queued_changes = detail::QueuedChanges::keep(impl->writer->guid());
   impl->gid = detail::to_gid(impl->writer->guid());
   participant->written().note(
       options.dds_topic, impl->gid,

@@ -117,6 +117,14 @@ dds::DomainParticipantQos profile_of_user() {
   return factory->get_default_participant_qos();
 }
 
+// Of the writers that tell of our endpoints: once everybody knows that one is gone they forget it.
+std::vector<std::unique_ptr<QueuedChanges>> keep_queued_changes(const rtps::GUID_t& participant) {
+  std::vector<std::unique_ptr<QueuedChanges>> kept;
+  for (const rtps::EntityId_t& writer : {rtps::c_EntityId_SEDPPubWriter, rtps::c_EntityId_SEDPSubWriter})
+    kept.push_back(QueuedChanges::keep({participant.guidPrefix, writer}));
+  return kept;
+}
+
 }  // namespace
 
 dds::DomainParticipantQos participant_qos(const ParticipantSettings& settings) {
@@ -141,6 +149,7 @@ Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSett
   const auto reception = hold_reception(qos);
   self->participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       settings.domain_id, qos, &self->listener_, dds::StatusMask::none());
+  if (self->participant_ != nullptr) self->queued_changes_ = keep_queued_changes(self->participant_->guid());
   reception->open();
   if (self->participant_ == nullptr) {
     return fail(Outcome::kInternal, "Fast DDS cannot make a participant on domain " +
@@ -158,6 +167,8 @@ Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSett
 
 Participant::~Participant() {
   if (participant_ == nullptr) return;
+  std::size_t dropped = 0;
+  if (graph_writer_ != nullptr) graph_writer_->clear_history(&dropped);  // as in ~Writer
   participant_->delete_contained_entities();
   dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }

@@ -16,12 +16,14 @@
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "components/core/outcome.h"
 #include "components/ros/context.h"
 #include "components/ros/detail/cyclone_clients.h"
 #include "components/ros/detail/graph.h"
 #include "components/ros/detail/graph_peers.h"
+#include "components/ros/detail/queued_changes.h"
 #include "components/ros/detail/user_data.h"
 #include "components/ros/detail/written_topics.h"
 #include "components/ros/endpoint.h"
@@ -113,6 +115,7 @@ class Participant : public std::enable_shared_from_this<Participant> {
   GraphPeers peers_;
   GraphListener graph_listener_{*this};
   Logger log_{"ros_graph"};
+  std::vector<std::unique_ptr<QueuedChanges>> queued_changes_;  // of discovery's own writers
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;

@@ -2,9 +2,7 @@
 // write (detail/qos_dds.cc).
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/test_UDPv4TransportDescriptor.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <gtest/gtest.h>
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 
 #include <algorithm>
@@ -14,8 +12,7 @@
 #include <random>
 #include <thread>
 
-#include "components/ros/detail/message_type.h"
-#include "components/ros/detail/participant.h"
+#include "tests/unit/ros/bare_participant.h"
 #include "tests/unit/ros/support.h"
 
 namespace goalnet::ros {
@@ -24,43 +21,15 @@ namespace {
 using namespace std::chrono_literals;
 namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastdds::rtps;
-using eprosima::fastrtps::LibrarySettingsAttributes;
 using eprosima::fastrtps::types::ReturnCode_t;
-using eprosima::fastrtps::xmlparser::XMLProfileManager;
 using SteadyClock = std::chrono::steady_clock;
 
 const int kLossDomain = program_domain(60);
 constexpr std::uint32_t kMessages = 300;
 
-// Set up as ours are, but for the transport.
-struct Bare {
-  explicit Bare(std::shared_ptr<rtps::TransportDescriptorInterface> transport) {
-    detail::ParticipantSettings settings;
-    settings.domain_id = kLossDomain;
-    auto qos = detail::participant_qos(settings);
-    qos.transport().user_transports = {std::move(transport)};
-    participant = factory().create_participant(kLossDomain, qos);
-    dds::TypeSupport type(new detail::MessageType("loss_test"));
-    type.register_type(participant);
-    topic = participant->create_topic("rt/loss", "loss_test", dds::TOPIC_QOS_DEFAULT);
-  }
-  ~Bare() {
-    participant->delete_contained_entities();
-    factory().delete_participant(participant);
-  }
-  static dds::DomainParticipantFactory& factory() { return *dds::DomainParticipantFactory::get_instance(); }
-  dds::DomainParticipant* participant = nullptr;
-  dds::Topic* topic = nullptr;
-};
-
 struct Loss : testing::TestWithParam<std::chrono::microseconds> {
-  // Otherwise Fast DDS hands messages over inside of the process and nothing can get lost.
-  Loss() {
-    LibrarySettingsAttributes apart;
-    apart.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    XMLProfileManager::library_settings(apart);
-  }
-  ~Loss() override { XMLProfileManager::library_settings(LibrarySettingsAttributes()); }
+  Loss() { talk_by_network_only(true); }
+  ~Loss() override { talk_by_network_only(false); }
 };
 
 TEST_P(Loss, IsMadeGood) {
@@ -72,7 +41,8 @@ TEST_P(Loss, IsMadeGood) {
     std::lock_guard lock(mutex);
     return loses && random() % 5 == 0;
   };
-  Bare sender(losing), receiver(std::make_shared<rtps::UDPv4TransportDescriptor>());
+  BareParticipant sender(kLossDomain, losing),
+      receiver(kLossDomain, std::make_shared<rtps::UDPv4TransportDescriptor>());
   Qos qos = Qos::standard();
   qos.depth = kMessages;  // what is overwritten before it is asked for cannot be repeated
   auto* writer = sender.participant->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
