@@ -64,7 +64,8 @@ struct Scene {
 // that is); anything with a '/' or ending in .yaml is a path. Errors: kInvalidRequest with "file:line: what is wrong; what to do".
 Expected<Scene> load_scene(const std::string& name_or_path);
 
-// The same from memory; `path` stands for the file in messages and says where its libraries lie (../objects).
+// The same from memory; `path` stands for the file in messages and says where its libraries lie (../objects,
+// beside it, or in the configuration folder's objects).
 Expected<Scene> parse_scene(const std::string& text, const std::string& path);
 
 // Poses of all objects (in the order of Scene::objects) for a seed: nominal poses plus jitter. The same seed

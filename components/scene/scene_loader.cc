@@ -8,9 +8,29 @@
 namespace goalnet::scene {
 namespace {
 
-void read_libraries(YamlReader& root, const std::filesystem::path& folder, Scene& scene) {
+// Where a library may lie: with the scene, as config has it or simply beside it, or in config itself, so that
+// a room of one's own can lie anywhere and be furnished with the things that ship.
+Expected<std::string> library_path(const std::string& library, const std::filesystem::path& scene) {
+  const std::filesystem::path folder = scene.parent_path(), file = library + ".yaml";
+  std::string looked;
+  for (const auto& candidate : {folder / ".." / "objects" / file, folder / file,
+                                std::filesystem::path(config_path("objects")) / file}) {
+    const std::string path = candidate.lexically_normal().string();
+    std::error_code ignored;
+    if (path != scene.lexically_normal() && std::filesystem::exists(path, ignored)) return path;
+    looked += (looked.empty() ? "" : ", ") + path;
+  }
+  return fail(Outcome::kInvalidRequest, "there is none of these: " + looked);
+}
+
+void read_libraries(YamlReader& root, const std::string& scene_path, Scene& scene) {
   for (const auto& library : root.texts("libraries")) {
-    const std::string path = (folder / (library + ".yaml")).lexically_normal().string();
+    const auto found = library_path(library, scene_path);
+    if (!found) {
+      root.mistake_at("libraries", "library '" + library + "': " + found.error().message);
+      continue;
+    }
+    const std::string& path = *found;
     auto node = read_yaml_file(path);
     if (!node) {
       root.mistake_at("libraries", "library '" + library + "': " + node.error().message);
@@ -104,8 +124,7 @@ Scene read_scene(YamlReader& root, const std::string& path) {
   }
   const auto start = root.numbers("robot_start", 3, -100.0, 360.0, std::vector<double>{0.0, 0.0, 0.0});
   scene.robot_start = {start[0], start[1], kDegree * start[2]};
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path() / ".." / "objects";
-  read_libraries(root, folder, scene);
+  read_libraries(root, path, scene);
   for (auto& reader : root.maps("fixtures")) scene.fixtures.push_back(read_fixture(reader));
   for (auto& reader : root.maps("regions")) scene.regions.push_back(read_region(reader));
   read_objects(root, scene);

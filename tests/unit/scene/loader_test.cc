@@ -1,4 +1,5 @@
 // Every mistake in a scene file is answered with the file, the line and what to do.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -182,6 +183,21 @@ TEST_F(Loader, FilesThatAreTooLargeAreRefusedQuickly) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
+// A room of one's own, anywhere, with things of one's own beside it and the ones that ship.
+TEST_F(Loader, LibrariesLieWithTheSceneBesideItOrInConfig) {
+  std::filesystem::create_directories(folder_ / "elsewhere" / "deep");
+  std::filesystem::copy_file(folder_ / "objects/things.yaml", folder_ / "elsewhere/deep/things.yaml");
+  write("elsewhere/deep/kitchen.yaml", with(kGood, "libraries: [things]", "libraries: [things, kitchen]"));
+  const auto scene = load_scene((folder_ / "elsewhere/deep/kitchen.yaml").string());
+  ASSERT_TRUE(scene) << scene.error().message;
+  const auto has = [&](const char* name) {
+    return std::any_of(scene->models.begin(), scene->models.end(),
+                       [&](const ObjectModel& model) { return model.name == name; });
+  };
+  EXPECT_TRUE(has("cup")) << "beside the scene";
+  EXPECT_TRUE(has("mug")) << "of the library that ships, not of the scene of that name";
+}
+
 TEST_F(Loader, MissingFilesAndUnknownScenes) {
   EXPECT_THAT(load_scene("/nowhere/at/all.yaml").error().message, HasSubstr("cannot be opened"));
   EXPECT_THAT(load_scene(folder_.string() + "/").error().message, HasSubstr("cannot be read"));
@@ -189,7 +205,9 @@ TEST_F(Loader, MissingFilesAndUnknownScenes) {
   EXPECT_THAT(message, HasSubstr("unknown scene 'kitchn'; known: "));
   EXPECT_THAT(message, HasSubstr("kitchen"));
   EXPECT_THAT(refusal(with(kGood, "libraries: [things]", "libraries: [stuff]")),
-              HasSubstr("stuff.yaml: cannot be opened"));
+              testing::AllOf(HasSubstr("library 'stuff': there is none of these: "),
+                             HasSubstr((folder_ / "objects/stuff.yaml").string()),
+                             HasSubstr((folder_ / "scenes/stuff.yaml").string())));
 
   setenv("GOALNET_CONFIG_DIR", "/no/such/folder", 1);
   const auto nowhere = load_scene("kitchen");
