@@ -59,6 +59,13 @@ int unknown_command(std::span<const Command> commands, std::string_view name) {
   return kUsageError;
 }
 
+// Output that is lost, on a full disk for example, must not look like success to a script.
+int checked(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  std::fprintf(stderr, "goalnet: the output could not be written: %s\n", std::strerror(errno));
+  return code == 0 ? static_cast<int>(Outcome::kInternal) : code;
+}
+
 }  // namespace
 
 int become(std::string_view program, std::string_view command, int argc, char** argv) {
@@ -76,7 +83,7 @@ int dispatch(std::span<const Command> commands, std::string_view usage, int argc
   const std::string_view name = argc > 1 ? argv[1] : "";
   if (name == "--help" || name == "-h" || name == "help") {
     print_help(commands, usage);
-    return 0;
+    return checked(0);
   }
   if (name == "--version") {
     std::puts("goalnet " GOALNET_VERSION);
@@ -94,7 +101,7 @@ int dispatch(std::span<const Command> commands, std::string_view usage, int argc
   std::vector<char*> arguments(argv + 1, argv + argc);
   arguments[0] = called.data();
   arguments.push_back(nullptr);
-  return command->function(argc - 1, arguments.data());
+  return checked(command->function(argc - 1, arguments.data()));
 }
 
 }  // namespace goalnet::tools

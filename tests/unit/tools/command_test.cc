@@ -2,6 +2,8 @@
 
 #include <gmock/gmock-matchers.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 namespace goalnet::tools {
@@ -30,6 +32,23 @@ int run(std::vector<std::string> words) {
 TEST(Dispatch, HandsOverTheArgumentsAndReturnsTheCode) {
   EXPECT_EQ(run({"plan", "a.pddl", "--json"}), 12);
   EXPECT_THAT(seen, testing::ElementsAre("goalnet plan", "a.pddl", "--json"));
+}
+
+int talk(int, char**) {
+  std::puts("a result");
+  return 0;
+}
+
+// In a process of its own: its standard output is a disk without room.
+TEST(Dispatch, OutputThatIsLostIsNoSuccess) {
+  const auto on_full_disk = [] {
+    if (std::freopen("/dev/full", "w", stdout) == nullptr) std::exit(1);
+    constexpr Command kTalking[] = {{"talk", "say something", talk}};
+    char program[] = "goalnet", command[] = "talk";
+    char* argv[] = {program, command, nullptr};
+    std::exit(dispatch(kTalking, "", 2, argv));
+  };
+  EXPECT_EXIT(on_full_disk(), testing::ExitedWithCode(39), "could not be written: No space left");
 }
 
 TEST(Dispatch, HelpListsTheCommandsAndTheExitCodes) {
