@@ -98,6 +98,13 @@ TEST_F(BadInput, EveryCommandRefusesAsJson) {
   }
 }
 
+TEST_F(BadInput, AModelThatCannotBeWrittenIsToldBeforeTheTraining) {
+  const ProcessResult result =
+      testing_support::run_goalnet({"train", "/no/such/folder", "-o", "/tmp"}, kDomain);
+  EXPECT_EQ(result.exit_code, 13);
+  EXPECT_THAT(result.err, HasSubstr("/tmp is a folder"));
+}
+
 TEST_F(BadInput, SeedThatIsNone) {
   expect_refused(run({"--seed", "-1", "open the microwave"}), "--seed");
   expect_refused(run({"--seed", "99999999999999999999999", "open the microwave"}), "--seed");

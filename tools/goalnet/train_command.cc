@@ -1,6 +1,7 @@
 #include "tools/goalnet/train_command.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "tools/goalnet/command_line.h"
 #include "tools/goalnet/progress_line.h"
@@ -54,6 +55,11 @@ int train_command(int argc, char** argv) {
   if (kind == nullptr)
     return failed(
         {Outcome::kInvalidRequest, "there is no model \"" + model + "\" in this build; there are:" + kinds});
+  // Known before the training, not after it.
+  if (std::error_code none; std::filesystem::is_directory(out, none))
+    return failed(
+        {Outcome::kInvalidRequest, out + " is a folder; -o takes the model's file, for example " +
+                                       (std::filesystem::path(out) / "model.safetensors").string()});
   request.data = data;
   request.out = out;
   request.command = typed(argc, argv);
