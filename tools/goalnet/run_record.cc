@@ -44,7 +44,10 @@ void RunRecord::on_status(const coordinator::Report& report) {
   for (std::size_t i = carried_out; i < report.actions.size(); ++i) step.actions.push_back(report.actions[i]);
 }
 
-void RunRecord::on_world(const WorldState& world) { facts_ = world.facts; }
+void RunRecord::on_world(const WorldState& world) {
+  objects_ = world.objects;
+  facts_ = world.facts;
+}
 
 ordered_json to_json(const RunLabel& label, const RunRecord& record, double sim_time_s, double wall_time_s) {
   ordered_json object;
@@ -53,6 +56,7 @@ ordered_json to_json(const RunLabel& label, const RunRecord& record, double sim_
   object["seed"] = label.seed;
   object["outcome"] = to_string(record.last().outcome);
   object["message"] = record.last().message;
+  object["objects"] = record.objects();
   object["facts_before"] = texts(record.facts_before());
   object["facts"] = texts(record.facts());
   object["facts_added"] = texts(difference(record.facts(), record.facts_before()));

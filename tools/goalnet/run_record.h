@@ -24,12 +24,14 @@ class RunRecord {
 
   const std::vector<RunStep>& steps() const { return steps_; }
   const coordinator::Report& last() const { return last_; }
+  const std::vector<std::string>& objects() const { return objects_; }
   const FactSet& facts_before() const { return facts_before_; }
   const FactSet& facts() const { return facts_; }
 
  private:
   std::vector<RunStep> steps_;
   coordinator::Report last_;
+  std::vector<std::string> objects_;
   FactSet facts_before_;
   FactSet facts_;
   bool begun_ = false;

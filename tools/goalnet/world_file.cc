@@ -38,8 +38,9 @@ Expected<WorldFile> read_world(const std::string& path) {
     }
     if (object.contains("objects"))
       for (const json& name : object.at("objects")) objects.insert(name.get<std::string>());
-    return WorldFile{{{objects.begin(), objects.end()}, FactSet(std::move(facts))},
-                     object.contains("objects")};
+    // A run that was refused names none: it saw no state.
+    const bool whole = !object.value("objects", json::array()).empty();
+    return WorldFile{{{objects.begin(), objects.end()}, FactSet(std::move(facts))}, whole};
   } catch (const json::exception& error) {
     return bad(error.what());
   }

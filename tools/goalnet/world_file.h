@@ -11,7 +11,7 @@ namespace goalnet::tools {
 
 struct WorldFile {
   WorldState world;    // the objects that the facts name are there in any case
-  bool whole = false;  // "objects" was given: what the file does not say does not hold
+  bool whole = false;  // "objects" were given: what the file does not say does not hold
 };
 
 // {"objects": ["Mug_1", ...], "facts": ["(On Mug_1 Sink)", ...]}; other keys are left alone, "objects" may be

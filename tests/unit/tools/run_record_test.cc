@@ -61,13 +61,14 @@ TEST(RunRecord, AnActionBelongsToTheStepThatGaveIt) {
   report.actions = kMugToSink;
   report.finished = true;
   report.message = "nothing is left to do";
-  record.on_world({{}, facts({"(On Mug_1 Sink)"})});
+  record.on_world({{"Mug_1", "Sink"}, facts({"(On Mug_1 Sink)"})});
   record.on_status(report);
   const auto json = to_json({"put the mug in the sink", "kitchen", 7}, record, 12.3456, 1.5);
   EXPECT_EQ(json["steps"][0]["actions"], nlohmann::json({"grasp Mug_1"}));
   EXPECT_EQ(json["steps"][1]["actions"], nlohmann::json({"keep-on Mug_1 Sink"}));
   EXPECT_EQ(json["steps"][1]["negative"], nlohmann::json({"(Grasping Robot Mug_1)"}));
   EXPECT_EQ(json["facts_added"], nlohmann::json({"(On Mug_1 Sink)"}));
+  EXPECT_EQ(json["objects"], nlohmann::json({"Mug_1", "Sink"}));
   EXPECT_EQ(json["outcome"], "done");
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["sim_time_s"], 12.346);
