@@ -1,16 +1,14 @@
 """One run of `goalnet run --json` and its judgement: shared by tools/acceptance and tools/survey."""
 import json
-import os
 import subprocess
 import time
 
 
-def run(program, room, arguments, seed, domain):
+def run(program, room, arguments, seed):
     """Returns the run's JSON object with `exit_code` added. A run that prints none says so in its outcome."""
-    command = [str(program), "run", "--json", "--scene", room, "--seed", str(seed)] + arguments
-    environment = dict(os.environ, ROS_DOMAIN_ID=str(domain))
+    command = [str(program), "run", "--json", "--private", "--scene", room, "--seed", str(seed)] + arguments
     started = time.monotonic()
-    done = subprocess.run(command, capture_output=True, text=True, timeout=900, env=environment, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=900, check=False)
     try:
         result = json.loads(done.stdout)
     except json.JSONDecodeError:

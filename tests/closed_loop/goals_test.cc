@@ -23,7 +23,7 @@ TEST_P(ByGoal, IsReachedInTheWorld) {
   std::vector<std::string> arguments = {"--scene", GetParam().room, "--seed",
                                         std::to_string(GetParam().seed)};
   for (const std::string& goal : GetParam().goals) arguments.insert(arguments.end(), {"--goal", goal});
-  const RunResult result = run_json(arguments, 84);
+  const RunResult result = run_json(arguments);
   EXPECT_EQ(result.exit_code, 0) << result.json["message"];
   EXPECT_EQ(result.json["outcome"], "done");
   for (const std::string& goal : GetParam().goals) EXPECT_TRUE(result.holds(goal)) << goal;
@@ -33,8 +33,7 @@ TEST_P(ByGoal, IsReachedInTheWorld) {
 // Whoever runs two robots on one network puts each into a namespace; names may be changed as well.
 TEST(Names, ARunInANamespaceReachesItsGoal) {
   const RunResult result = run_json({"--goal", "(state Microwave DoorIsOpen)", "--ros-args", "-r",
-                                     "__ns:=/robot_1", "-r", "planner:__node:=brain"},
-                                    84);
+                                     "__ns:=/robot_1", "-r", "planner:__node:=brain"});
   EXPECT_EQ(result.exit_code, 0) << result.json["message"];
   EXPECT_TRUE(result.holds("(state Microwave DoorIsOpen)"));
 }
@@ -123,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
 // A grip from the sides is no press on a key.
 TEST(RemoteControl, IsTakenWithoutPressingItsKeys) {
   const RunResult result =
-      run_json({"--scene", "living_room", "tv on, channel 6, and then bring me the remote"}, 84);
+      run_json({"--scene", "living_room", "tv on, channel 6, and then bring me the remote"});
   EXPECT_EQ(result.exit_code, 0) << result.json["message"];
   EXPECT_TRUE(result.holds("(Grasping Robot Tv_1Remote_1)"));
   EXPECT_TRUE(result.holds("(state Tv_1 Channel6)"));
@@ -131,7 +130,7 @@ TEST(RemoteControl, IsTakenWithoutPressingItsKeys) {
 
 // What is too large is known before anything moves.
 TEST(TooLarge, IsRefusedBeforeAnythingMoves) {
-  const RunResult result = run_json({"--scene", "living_room", "--goal", "(In Pillow_1 GarbageBin_1)"}, 84);
+  const RunResult result = run_json({"--scene", "living_room", "--goal", "(In Pillow_1 GarbageBin_1)"});
   EXPECT_EQ(result.exit_code, 12);
   EXPECT_THAT(result.json["message"].get<std::string>(),
               testing::HasSubstr("Pillow_1 does not fit into GarbageBin_1"));

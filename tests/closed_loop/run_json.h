@@ -1,4 +1,4 @@
-// `goalnet run --json` and what it printed.
+// `goalnet run --json --private` and what it printed: other runs on this machine do not matter.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 #include "tests/support/process.h"
 
 namespace goalnet {
+
+constexpr int kRunDomain = 84;  // ROS_DOMAIN_ID, though nobody hears of it
 
 struct RunResult {
   int exit_code = -1;
@@ -29,10 +31,10 @@ struct RunResult {
   }
 };
 
-inline RunResult run_json(const std::vector<std::string>& arguments, int domain) {
-  std::vector<std::string> all = {"run", "--json"};
+inline RunResult run_json(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all = {"run", "--json", "--private"};
   all.insert(all.end(), arguments.begin(), arguments.end());
-  const auto result = testing_support::run_goalnet(all, domain, {}, std::chrono::seconds(120));
+  const auto result = testing_support::run_goalnet(all, kRunDomain);
   auto json = nlohmann::json::parse(result.out, nullptr, false);
   if (!json.is_object())
     json = {{"message", "no JSON: " + result.err},

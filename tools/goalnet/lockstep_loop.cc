@@ -1,5 +1,6 @@
 #include "tools/goalnet/lockstep_loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <stdexcept>
@@ -118,10 +119,26 @@ struct LockstepLoop::Impl {
       return fail(Outcome::kCancelled, "interrupted before it began");
     return {};
   }
+  Expected<void> alone() const;
   Expected<void> add_recorder(const LoopOptions& options);
   Expected<void> add_components(const LoopOptions& options);
   Expected<void> add_observer(const LoopOptions& options);
 };
+
+// Two robots of the same names would obey each other's commands and clocks, and neither run would mean
+// anything.
+Expected<void> LockstepLoop::Impl::alone() const {
+  const std::vector<std::string> others = context->other_nodes();
+  for (const auto& node : nodes) {
+    if (!std::binary_search(others.begin(), others.end(), node->full_name())) continue;
+    return fail(Outcome::kBusy,
+                "another robot is up on ROS_DOMAIN_ID " + std::to_string(context->domain_id()) + ": it has " +
+                    node->full_name() +
+                    ", too; give this run another ROS_DOMAIN_ID, a namespace (--ros-args -r __ns:=/NAME), or "
+                    "nobody else to talk to (--private)");
+  }
+  return {};
+}
 
 // Before all others, so that it hears them from their first word.
 Expected<void> LockstepLoop::Impl::add_recorder(const LoopOptions& options) {
@@ -215,6 +232,8 @@ Expected<std::unique_ptr<LockstepLoop>> LockstepLoop::create(const LoopOptions& 
   for (const auto& node : impl->nodes) nodes.push_back(node.get());
   if (auto known = check_given_parameters(options.arguments, nodes, true); !known)
     return tl::unexpected<Error>(std::move(known.error()));
+  // By now there was time to hear of others, and nothing has been said that could disturb them.
+  if (auto alone = impl->alone(); !alone) return tl::unexpected<Error>(std::move(alone.error()));
   return std::unique_ptr<LockstepLoop>(new LockstepLoop(std::move(impl)));
 }
 
@@ -228,7 +247,7 @@ Expected<void> LockstepLoop::settle(double at_least, double limit) {
     }
     step();
   }
-  return {};
+  return impl_->alone();
 }
 
 void LockstepLoop::instruct(const std::string& instruction) {

@@ -50,12 +50,12 @@ struct LoopEvents {
 class LockstepLoop {
  public:
   // Errors: kInvalidRequest with the component's message (unknown scene, broken model file, bad parameter …);
-  // kCancelled.
+  // kBusy where the domain has a robot of the same names already; kCancelled.
   static Expected<std::unique_ptr<LockstepLoop>> create(const LoopOptions& options, LoopEvents events);
   ~LockstepLoop();
 
   // Lets things come to rest and the world be seen. kWorldStale if it is not within `limit` simulated
-  // seconds; kCancelled.
+  // seconds; kBusy as create(); kCancelled.
   Expected<void> settle(double at_least = 0.5, double limit = 10.0);
 
   // As anyone could through DDS; read the outcome from on_status.

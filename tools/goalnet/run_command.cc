@@ -83,6 +83,7 @@ class Run {
     loop_options.max_steps = options_.max_steps;
     loop_options.instruction_timeout = options_.max_sim_time;
     loop_options.console = options_.verbose;
+    loop_options.process_only = options_.private_run;
     loop_options.record = options_.record;
     loop_options.record_storage = options_.record_storage;
     loop_options.arguments = arguments;

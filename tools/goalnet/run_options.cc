@@ -21,7 +21,10 @@ constexpr const char* kFooter =
     "  goalnet run \"open the microwave\" --ros-args -p planner:node_limit:=5000 -p world_model:rate:=20.0\n"
     "\"goalnet component NAME --show-parameters\" lists them.\n"
     "\n"
-    "The components speak DDS on ROS_DOMAIN_ID, so \"ros2 topic echo /world_state\" shows the run.\n"
+    "The components speak DDS on ROS_DOMAIN_ID, so \"ros2 topic echo /world_state\" shows the run. Runs that "
+    "go on "
+    "at\n"
+    "the same time need a domain or a namespace each, or --private.\n"
     "Ctrl-C stops the robot smoothly and ends with code 22.";
 
 // As the simulator's parameter has it. CLI11 alone takes -1 for 2^64 - 1.
@@ -85,6 +88,8 @@ ParsedRun parse_run_options(int argc, char** argv) {
   app.add_option("--record-storage", options.record_storage, "mcap or sqlite3")
       ->check(CLI::IsMember({"mcap", "sqlite3"}))
       ->capture_default_str();
+  app.add_flag("--private", options.private_run,
+               "Take part in no ROS_DOMAIN_ID: nobody sees or disturbs the run. For many at the same time");
   app.add_flag("-v,--verbose", options.verbose,
                "The components' logs on standard error as well as on /rosout");
   app.add_flag("--json", options.json, "One JSON object on standard output and nothing else");

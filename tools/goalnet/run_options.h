@@ -26,6 +26,7 @@ struct RunOptions {
   bool untidy = false;                  // things lie about, as the seed has it
   std::string start;                    // file of a world state to start from; empty: the scene's
   bool json = false;
+  bool private_run = false;                // takes part in no domain
   bool verbose = false;                    // components log to standard error
   std::vector<std::string> ros_arguments;  // after --ros-args
 };
