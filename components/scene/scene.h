@@ -61,7 +61,8 @@ struct Scene {
 };
 
 // `name_or_path`: "kitchen" means scenes/kitchen.yaml in the configuration folder (config_path.h says which
-// that is); anything with a '/' or ending in .yaml is a path. Errors: kInvalidRequest with "file:line: what is wrong; what to do".
+// that is); anything with a '/' or ending in .yaml is a path. Errors: kInvalidRequest with "file:line: what
+// is wrong; what to do".
 Expected<Scene> load_scene(const std::string& name_or_path);
 
 // The same from memory; `path` stands for the file in messages and says where its libraries lie (../objects,
