@@ -17,6 +17,17 @@ class ClauseParser {
   ParsedSentence parse();
 
  private:
+  // The longer readers: rows of small rules, tried in order. See the files named like them.
+  class Rules;
+  class Argument;
+  class ClauseStart;
+  class Command;
+  class CommandEnd;
+  class Correction;
+  class Fragment;
+  class Statement;
+  class Topic;
+
   // Each reads from word `at` and returns the first word it did not use; `end` is the end of the sentence.
   std::size_t clause(std::size_t at, std::size_t end);
   std::size_t command(std::size_t at, std::size_t end, Mood mood);
@@ -91,16 +102,12 @@ class ClauseParser {
   // Parts that ask for nothing: "my back is killing me", "bedtime, kids". They return `at` where it is none.
   std::size_t told(std::size_t at, std::size_t end);
   std::size_t does_not_know(std::size_t at, std::size_t end);
-  void behind_what_was_taken(Clause& clause) const;
   std::size_t idle(std::size_t at, std::size_t end);
   // "no wait, the fork": mends the command before it.
   std::size_t correction(std::size_t at, std::size_t end);
-  std::size_t command_anew(std::size_t at, std::size_t end);
-  std::size_t other_way(std::size_t at, std::size_t end, Clause& last) const;
   // "the fork, bring it to me": what "it" will mean.
   std::size_t topic(std::size_t at, std::size_t end);
   std::size_t verb_last(std::size_t at, std::size_t end);
-  bool verb_alone(std::size_t at, std::size_t end) const;
   std::size_t narrows(std::size_t at, std::size_t end);
   bool ends_here(std::size_t at, std::size_t end) const;  // only small words up to the end of the part
   bool likes_doing(std::size_t at, std::size_t end) const;

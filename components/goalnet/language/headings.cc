@@ -1,6 +1,7 @@
 // "guests: two plates", "tidy the sofa: book to the shelf": what stands before a colon.
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "components/goalnet/language/language.h"
 #include "components/goalnet/language/noun_phrase.h"
@@ -12,91 +13,135 @@ namespace goalnet::inference {
 
 using namespace word_group;
 
-void resolve_headings(std::vector<std::string>& words, const Language& language) {
-  constexpr std::size_t kLongestHeading = 5;
-  static constexpr std::array kWaste = {"rubbish"sv, "trash"sv, "garbage"sv, "waste"sv};  // what to bin
-  static constexpr std::array kNoList = {"nothing"sv, "no"sv, "not"sv, "but"sv};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] != ":") continue;
-    std::size_t begin = i;
-    while (begin > 0 && !ends_part(words, begin - 1)) --begin;
-    bool says_something = false;
-    for (std::size_t k = begin; k < i; ++k)
-      says_something = says_something || language.meaningful(words[k]) ||
-                       language.meaningful(singular(words[k])) || number_word(words[k]) > 0 ||
-                       language.asks(words[k]) || language.wanted_by_state(words[k]) != Frame::kNone;
-    const bool at_start = begin == 0 || words[begin - 1] == ".";
-    // "snack table: chips + bowl": that is where they go
-    std::string heading;
-    for (std::size_t k = begin; k < i; ++k) heading += (k > begin ? " " : "") + words[k];
-    const bool waste = i == begin + 1 && one_of(words[begin], kWaste);
-    if (at_start && (waste || language.names_place(heading))) {
-      std::size_t things_end = i + 1;
-      bool only_things = i + 1 < words.size();
-      for (; things_end < words.size() && words[things_end] != "."; ++things_end) {
-        const std::string& word = words[things_end];
-        only_things = only_things && word != ":" && word != "off" && !place_preposition(word) &&
-                      (language.verb(word) == Frame::kNone || language.names_something(singular(word))) &&
-                      !(waste && (language.copula(word) || one_of(word, kNoList))) &&
-                      language.wanted_by_state(word) == Frame::kNone;
-      }
-      if (only_things && things_end > i + 1) {
-        if (waste) words[begin] = "bin";
-        std::vector<std::string> said = {"put"};
-        said.insert(said.end(), words.begin() + static_cast<long>(i) + 1,
-                    words.begin() + static_cast<long>(things_end));
-        said.insert(said.end(), {"to", "the"});
-        said.insert(said.end(), words.begin() + static_cast<long>(begin),
-                    words.begin() + static_cast<long>(i));
-        words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(things_end));
-        words.insert(words.begin() + static_cast<long>(begin), said.begin(), said.end());
-        i = begin + said.size() - 1;
-        continue;
-      }
-    }
-    // "tidy the sofa: book to the shelf, bowl to the counter": what comes behind says how
-    static constexpr std::array kTidies = {"tidy"sv,     "clean"sv,     "clear"sv,      "organise"sv,
-                                           "organize"sv, "sort"sv,      "straighten"sv, "swap"sv,
-                                           "exchange"sv, "declutter"sv, "prepare"sv,    "set"sv,
-                                           "arrange"sv,  "rearrange"sv, "ready"sv,      "fix"sv};
-    std::size_t stop = i + 1;
-    while (stop < words.size() && words[stop] != ".") ++stop;
-    const bool places =
-        std::any_of(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(stop),
-                    [](const std::string& w) {
-                      return w == "to" || w == "on" || w == "in" || w == "into" || w == "onto";
-                    });
-    static constexpr std::array kBefore = {"let"sv,  "lets"sv, "us"sv,   "please"sv, "so"sv,  "ok"sv,
-                                           "time"sv, "to"sv,   "we"sv,   "can"sv,    "you"sv, "could"sv,
-                                           "now"sv,  "will"sv, "need"sv, "should"sv, "'s"sv};
-    std::size_t tidies = begin;
-    while (tidies < i && one_of(words[tidies], kBefore)) ++tidies;
-    // "swap those two: the pillow and the book", "bring me these: ...": the verb is for what is listed
-    static constexpr std::array kThese = {"these"sv, "those"sv,     "them"sv,  "both"sv, "two"sv,
-                                          "three"sv, "following"sv, "these"sv, "the"sv,  "things"sv};
-    std::size_t verb_end = i;
-    while (verb_end > begin && one_of(words[verb_end - 1], kThese)) --verb_end;
-    if (verb_end < i && verb_end > begin && i + 1 < stop && language.verb(words[begin]) != Frame::kNone &&
-        !language.participle(words[begin])) {
-      words.erase(words.begin() + static_cast<long>(verb_end), words.begin() + static_cast<long>(i) + 1);
-      i = verb_end;
-      continue;
-    }
-    if (at_start && i > begin && one_of(words[tidies], kTidies) && places) {
-      words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
-      i = begin;
-      continue;
-    }
-    if (at_start && i > begin && i - begin <= kLongestHeading && !says_something) {
-      words.erase(words.begin() + static_cast<long>(begin), words.begin() + static_cast<long>(i) + 1);
-      i = begin;
-    } else if (at_start && i == begin + 1 && language.verb(words[begin]) != Frame::kNone &&
-               !language.participle(words[begin])) {
-      words.erase(words.begin() + static_cast<long>(i));
-    } else {
-      words[i] = ",";
-    }
+namespace {
+
+// One heading: the words from `begin_` up to the colon at `colon_`. Each rule changes the words where it fits
+// and returns where to go on.
+class Heading {
+ public:
+  Heading(std::vector<std::string>& words, const Language& language, std::size_t colon)
+      : words_(words), language_(language), colon_(colon), begin_(colon) {
+    while (begin_ > 0 && !ends_part(words_, begin_ - 1)) --begin_;
+    at_start_ = begin_ == 0 || words_[begin_ - 1] == ".";
   }
+
+  std::size_t resolve() {
+    for (const auto rule : {&Heading::things_to_place, &Heading::verb_of_list, &Heading::tidied,
+                            &Heading::says_nothing, &Heading::verb})
+      if (const auto next = (this->*rule)()) return *next;
+    words_[colon_] = ",";
+    return colon_;
+  }
+
+ private:
+  using Read = std::optional<std::size_t>;
+  auto word(std::size_t i) const { return words_.begin() + static_cast<long>(i); }
+  bool opens_with_verb() const {
+    return language_.verb(words_[begin_]) != Frame::kNone && !language_.participle(words_[begin_]);
+  }
+
+  Read things_to_place();
+  bool only_things(std::size_t end, bool waste) const;
+  Read verb_of_list();
+  Read tidied();
+  Read says_nothing();
+  Read verb();
+
+  std::vector<std::string>& words_;
+  const Language& language_;
+  const std::size_t colon_;
+  std::size_t begin_;
+  bool at_start_ = false;  // of a sentence
+};
+
+// "snack table: chips + bowl": that is where they go; "rubbish: the can"
+Heading::Read Heading::things_to_place() {
+  static constexpr std::array kWaste = {"rubbish"sv, "trash"sv, "garbage"sv, "waste"sv};  // what to bin
+  std::string heading;
+  for (std::size_t k = begin_; k < colon_; ++k) heading += (k > begin_ ? " " : "") + words_[k];
+  const bool waste = colon_ == begin_ + 1 && one_of(words_[begin_], kWaste);
+  if (!at_start_ || !(waste || language_.names_place(heading))) return {};
+  std::size_t end = colon_ + 1;
+  while (end < words_.size() && words_[end] != ".") ++end;
+  if (end == colon_ + 1 || !only_things(end, waste)) return {};
+  if (waste) words_[begin_] = "bin";
+  std::vector<std::string> said = {"put"};
+  said.insert(said.end(), word(colon_ + 1), word(end));
+  said.insert(said.end(), {"to", "the"});
+  said.insert(said.end(), word(begin_), word(colon_));
+  words_.erase(word(begin_), word(end));
+  words_.insert(word(begin_), said.begin(), said.end());
+  return begin_ + said.size() - 1;
+}
+
+bool Heading::only_things(std::size_t end, bool waste) const {
+  static constexpr std::array kNoList = {"nothing"sv, "no"sv, "not"sv, "but"sv};
+  return std::all_of(word(colon_ + 1), word(end), [&](const std::string& said) {
+    return said != ":" && said != "off" && !place_preposition(said) &&
+           (language_.verb(said) == Frame::kNone || language_.names_something(singular(said))) &&
+           !(waste && (language_.copula(said) || one_of(said, kNoList))) &&
+           language_.wanted_by_state(said) == Frame::kNone;
+  });
+}
+
+// "swap those two: the pillow and the book", "bring me these: ...": the verb is for what is listed
+Heading::Read Heading::verb_of_list() {
+  static constexpr std::array kThese = {"these"sv, "those"sv,     "them"sv, "both"sv,  "two"sv,
+                                        "three"sv, "following"sv, "the"sv,  "things"sv};
+  std::size_t verb_end = colon_;
+  while (verb_end > begin_ && one_of(words_[verb_end - 1], kThese)) --verb_end;
+  const bool listed = colon_ + 1 < words_.size() && words_[colon_ + 1] != ".";
+  if (verb_end == colon_ || verb_end == begin_ || !listed || !opens_with_verb()) return {};
+  words_.erase(word(verb_end), word(colon_ + 1));
+  return verb_end;
+}
+
+// "tidy the sofa: book to the shelf, bowl to the counter": what comes behind says how
+Heading::Read Heading::tidied() {
+  static constexpr std::array kTidies = {"tidy"sv,     "clean"sv,     "clear"sv,      "organise"sv,
+                                         "organize"sv, "sort"sv,      "straighten"sv, "swap"sv,
+                                         "exchange"sv, "declutter"sv, "prepare"sv,    "set"sv,
+                                         "arrange"sv,  "rearrange"sv, "ready"sv,      "fix"sv};
+  static constexpr std::array kBefore = {"let"sv,  "lets"sv, "us"sv,   "please"sv, "so"sv,  "ok"sv,
+                                         "time"sv, "to"sv,   "we"sv,   "can"sv,    "you"sv, "could"sv,
+                                         "now"sv,  "will"sv, "need"sv, "should"sv, "'s"sv};
+  static constexpr std::array kPlaces = {"to"sv, "on"sv, "in"sv, "into"sv, "onto"sv};
+  std::size_t tidies = begin_;
+  while (tidies < colon_ && one_of(words_[tidies], kBefore)) ++tidies;
+  if (!at_start_ || colon_ == begin_ || !one_of(words_[tidies], kTidies)) return {};
+  bool places = false;
+  for (std::size_t k = colon_; k < words_.size() && words_[k] != "."; ++k)
+    places = places || one_of(words_[k], kPlaces);
+  if (!places) return {};
+  words_.erase(word(begin_), word(colon_ + 1));
+  return begin_;
+}
+
+// "guests: two plates"
+Heading::Read Heading::says_nothing() {
+  constexpr std::size_t kLongest = 5;
+  if (!at_start_ || colon_ == begin_ || colon_ - begin_ > kLongest) return {};
+  for (std::size_t k = begin_; k < colon_; ++k)
+    if (language_.meaningful(words_[k]) || language_.meaningful(singular(words_[k])) ||
+        number_word(words_[k]) > 0 || language_.asks(words_[k]) ||
+        language_.wanted_by_state(words_[k]) != Frame::kNone)
+      return {};
+  words_.erase(word(begin_), word(colon_ + 1));
+  return begin_;
+}
+
+// "bring: the salt and the fork"
+Heading::Read Heading::verb() {
+  if (!at_start_ || colon_ != begin_ + 1 || !opens_with_verb()) return {};
+  words_.erase(word(colon_));
+  return colon_;
+}
+
+}  // namespace
+
+void resolve_headings(std::vector<std::string>& words, const Language& language) {
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == ":") i = Heading(words, language, i).resolve();
 }
 
 }  // namespace goalnet::inference

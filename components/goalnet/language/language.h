@@ -138,6 +138,7 @@ class Language {
 
  private:
   void collect_vocabulary();
+  void add_vocabulary();
   std::vector<std::string> within_a_slip(const std::string& word) const;
   std::string written_out(const std::string& word) const;
   void add_state(const std::string& word, const std::string& wanted, const std::string& complaint,

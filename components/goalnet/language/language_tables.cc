@@ -33,6 +33,22 @@ Frame frame_named(std::string_view name) {
   return Frame::kNone;
 }
 
+// Calls `add` with each verb of a table by frames. Fails with kInvalidRequest: an unknown frame.
+template <typename Add>
+Expected<void> each_verb(const json& verbs, const std::string& name, Add add) {
+  for (const auto& [frame_name, words] : verbs.items()) {
+    const Frame frame = frame_named(frame_name);
+    if (frame == Frame::kNone)
+      return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
+    for (const auto& word : words) add(word.template get<std::string>(), frame);
+  }
+  return {};
+}
+
+void add_words(const json& list, std::unordered_set<std::string>& words) {
+  for (const auto& word : list) words.insert(word.get<std::string>());
+}
+
 std::vector<std::string> split_words(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;
@@ -65,17 +81,15 @@ Expected<Language> Language::parse(std::string_view text, const std::string& nam
   language.lexicon_ = &lexicon;
   try {
     const json file = json::parse(text);
-    for (const auto& [frame_name, words] : file.at("verbs").items()) {
-      const Frame frame = frame_named(frame_name);
-      if (frame == Frame::kNone)
-        return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
-      // The first frame that lists a word keeps it.
-      for (const auto& word : words) language.verbs_.try_emplace(word.get<std::string>(), frame);
-    }
+    const auto keep_first = [&](const std::string& verb, Frame frame) {  // of the frames that list it
+      language.verbs_.try_emplace(verb, frame);
+    };
+    if (auto added = each_verb(file.at("verbs"), name, keep_first); !added)
+      return tl::unexpected(added.error());
     for (const auto& [content, phrases] : file.at("contents").items())
       for (const auto& phrase : phrases)
         language.contents_[phrase.get<std::string>()] = symbols.intern(content);
-    for (const auto& word : file.at("fillers")) language.fillers_.insert(word.get<std::string>());
+    add_words(file.at("fillers"), language.fillers_);
   } catch (const json::exception& error) {
     return fail(Outcome::kInvalidRequest, name + ": " + error.what());
   }
@@ -85,17 +99,20 @@ Expected<Language> Language::parse(std::string_view text, const std::string& nam
 
 void Language::collect_vocabulary() {
   vocabulary_.clear();
-  for (const auto& [word, frame] : verbs_) vocabulary_.push_back(word);
-  for (const auto& [word, base] : inflected_) vocabulary_.push_back(word);
-  for (const auto& [word, count] : lexicon_->words()) vocabulary_.push_back(word);
-  for (const std::string& word : fillers_) vocabulary_.push_back(word);
-  for (const auto& [word, state] : states_) vocabulary_.push_back(word);
-  for (const auto& [word, wish] : wishes_) vocabulary_.push_back(word);
-  for (const std::string& word : questions_) vocabulary_.push_back(word);
   if (!rewrites_.empty()) {  // a language of whole sentences
     vocabulary_.insert(vocabulary_.end(), rewrites_.words().begin(), rewrites_.words().end());
     for (const std::string_view word : kGrammarWords) vocabulary_.emplace_back(word);
   }
+  add_vocabulary();
+}
+
+void Language::add_vocabulary() {
+  const auto add = [&](const auto& table) {
+    for (const auto& [word, meaning] : table) vocabulary_.push_back(word);
+  };
+  add(verbs_), add(inflected_), add(lexicon_->words()), add(states_), add(wishes_);
+  vocabulary_.insert(vocabulary_.end(), fillers_.begin(), fillers_.end());
+  vocabulary_.insert(vocabulary_.end(), questions_.begin(), questions_.end());
   std::sort(vocabulary_.begin(), vocabulary_.end());
   vocabulary_.erase(std::unique(vocabulary_.begin(), vocabulary_.end()), vocabulary_.end());
 }
@@ -117,20 +134,15 @@ void Language::add_degrees(const std::vector<std::string>& units) {
 
 Expected<void> Language::add_english(std::string_view text, const std::string& name) {
   std::vector<std::string> degrees;
+  const auto keep_verb = [&](const std::string& verb, Frame frame) { verbs_[verb] = frame; };
   try {
     const json file = json::parse(text);
-    for (const auto& [frame_name, words] : file.at("verbs").items()) {
-      const Frame frame = frame_named(frame_name);
-      if (frame == Frame::kNone)
-        return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
-      for (const auto& word : words) verbs_[word.get<std::string>()] = frame;
-    }
+    if (auto added = each_verb(file.at("verbs"), name, keep_verb); !added) return added;
     for (const auto& [form, base] : file.at("inflected").items()) inflected_[form] = base.get<std::string>();
-    for (const auto& word : file.at("fillers")) fillers_.insert(word.get<std::string>());
+    add_words(file.at("fillers"), fillers_);
     for (const auto& word : file.at("no_fillers")) fillers_.erase(word.get<std::string>());
     for (const auto& word : file.at("no_verbs")) verbs_.erase(word.get<std::string>());
-    for (const auto& word : file.at("questions")) questions_.insert(word.get<std::string>());
-    for (const auto& word : file.at("no_adverbs")) no_adverbs_.insert(word.get<std::string>());
+    add_words(file.at("questions"), questions_), add_words(file.at("no_adverbs"), no_adverbs_);
     for (const auto& [word, entry] : file.at("states").items())
       add_state(word, entry.value("wanted", ""), entry.value("complaint", ""), entry.value("opposite", ""));
     for (const auto& [word, command] : file.at("wishes").items())
@@ -144,8 +156,7 @@ Expected<void> Language::add_english(std::string_view text, const std::string& n
     degrees = file.value("degrees", degrees);
     const json people = file.value("people", json::array()),
                mistaken = file.value("mistaken", json::object());
-    for (const auto& word : people)
-      people_.insert(word.get<std::string>()), seen_.insert(word.get<std::string>());
+    add_words(people, people_), add_words(people, seen_);
     const json homes = file.value("homes", json::object());
     for (const auto& [name_of_class, places] : homes.items())
       homes_[name_of_class] = places.get<std::vector<std::string>>();
@@ -160,19 +171,13 @@ Expected<void> Language::add_english(std::string_view text, const std::string& n
 }
 
 Expected<void> Language::add_talk(std::string_view text, const std::string& name) {
+  const auto keep_verb = [&](const std::string& verb, Frame frame) { verbs_[verb] = frame; };
   try {
     const json file = json::parse(text);
-    const auto words_of = [&](const char* section, auto& set) {
-      const json list = file.value(section, json::array());
-      for (const auto& word : list) set.insert(word.template get<std::string>());
+    const auto words_of = [&](const char* section, std::unordered_set<std::string>& words) {
+      add_words(file.value(section, json::array()), words);
     };
-    const json verbs = file.value("verbs", json::object());
-    for (const auto& [frame_name, words] : verbs.items()) {
-      const Frame frame = frame_named(frame_name);
-      if (frame == Frame::kNone)
-        return fail(Outcome::kInvalidRequest, name + ": 'verbs' has the unknown frame '" + frame_name + "'");
-      for (const auto& word : words) verbs_[word.get<std::string>()] = frame;
-    }
+    if (auto added = each_verb(file.value("verbs", json::object()), name, keep_verb); !added) return added;
     const json inflected = file.value("inflected", json::object()),
                states = file.value("states", json::object()), wishes = file.value("wishes", json::object()),
                groups = file.value("groups", json::object()),
@@ -188,14 +193,7 @@ Expected<void> Language::add_talk(std::string_view text, const std::string& name
       add_state(word, entry.value("wanted", ""), entry.value("complaint", ""), entry.value("opposite", ""));
     for (const auto& [word, command] : wishes.items())
       wishes_[word] = split_words(command.get_ref<const std::string&>());
-    // Typing errors are mended to these words, but not to those of the patterns.
-    for (const auto& [word, frame] : verbs_) vocabulary_.push_back(word);
-    for (const auto& [word, base] : inflected_) vocabulary_.push_back(word);
-    for (const auto& [word, state] : states_) vocabulary_.push_back(word);
-    for (const auto& [word, wish] : wishes_) vocabulary_.push_back(word);
-    vocabulary_.insert(vocabulary_.end(), fillers_.begin(), fillers_.end());
-    std::sort(vocabulary_.begin(), vocabulary_.end());
-    vocabulary_.erase(std::unique(vocabulary_.begin(), vocabulary_.end()), vocabulary_.end());
+    add_vocabulary();  // typing errors are mended to these words, but not to those of the patterns
     PhraseRules::Groups phrases;
     for (const auto& [group, members] : groups.items())
       for (const auto& member : members)
@@ -224,13 +222,11 @@ void Language::add_state(const std::string& word, const std::string& wanted, con
 Expected<void> Language::add_other_words(std::string_view text, const std::string& name) {
   try {
     const json file = json::parse(text);
-    for (const auto& word : file.at("real_words")) real_words_.insert(word.get<std::string>());
-    const json verbs = file.value("verbs", json::array());  // older models lack it
-    for (const auto& word : verbs) english_verbs_.insert(word.get<std::string>());
-    const json moves = file.value("moves", json::array()),
-               describing = file.value("describing", json::array());
-    for (const auto& word : moves) moves_.insert(word.get<std::string>());
-    for (const auto& word : describing) describing_.insert(word.get<std::string>());
+    add_words(file.at("real_words"), real_words_);
+    // Older models lack these.
+    add_words(file.value("verbs", json::array()), english_verbs_);
+    add_words(file.value("moves", json::array()), moves_);
+    add_words(file.value("describing", json::array()), describing_);
     for (const auto& [word, other] : file.at("synonyms").items())
       if (!known(word) && known(other.get_ref<const std::string&>()))
         synonyms_[word] = other.get<std::string>();

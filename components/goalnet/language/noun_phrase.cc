@@ -1,4 +1,4 @@
-#include "components/goalnet/language/noun_phrase.h"
+#include "components/goalnet/language/noun_phrase_opening.h"
 
 #include <algorithm>
 
@@ -81,89 +81,7 @@ std::size_t NounPhraseReader::read(std::size_t at, std::size_t end, NounPhrase& 
 }
 
 std::size_t NounPhraseReader::read_phrase(std::size_t at, std::size_t end, NounPhrase& phrase) const {
-  std::size_t i = at;
-  bool determined = false;
-  for (; i < end; ++i) {
-    const std::string& word = words_.text[i];
-    // "the second" is a place in a row where a thing follows; "a second" is time
-    if (names_[i] > 0 && !(one_of(word, kStates) && modifier_ahead(i + 1, end))) break;
-    if (one_of(word, kArticles)) {
-      if (word == "another") phrase.adjectives.push_back("other");
-      phrase.definite = word == "the";
-      determined = true;
-    } else if (one_of(word, kPointers)) {
-      if (!starts(i + 1, end)) break;
-      if (word == "this" || word == "that") phrase.plural = false;
-      phrase.definite = true;
-      determined = true;
-    } else if (one_of(word, kAll)) {
-      phrase.all = determined = true;
-    } else if (word == "both") {
-      phrase.all = determined = true, phrase.count = 2;
-    } else if (word == "some" || word == "few" || word == "several" || word == "any" || word == "enough" ||
-               word == "more") {
-      phrase.some = word != "any";
-      determined = true;
-    } else if (word == "rest" || word == "remaining" ||
-               (word == "other" && i < words_.plural.size() && words_.plural[i])) {
-      phrase.rest = phrase.all = determined = true;
-      if (i + 1 >= end || (words_.text[i + 1] != "of" && names_[i + 1] == 0)) {
-        phrase.everything = true, phrase.word = word;
-        return after(i + 1, end, phrase);
-      }
-    } else if (word == "of" && determined && i > at && names_[i - 1] == 0) {
-      continue;  // "all of the", "one of the"
-    } else if (const int number = number_word(word)) {
-      // "give that one a pillow"
-      const bool alone = language_.hears_people() && i > at && one_of(words_.text[i - 1], kPointers) &&
-                         i + 1 < end && one_of(words_.text[i + 1], kArticles);
-      // "the one my bowl is on"
-      const bool relative_follows =
-          language_.hears_people() && word == "one" && determined && i + 1 < end &&
-          (one_of(words_.text[i + 1], kDeterminers) ||
-           (words_.text[i + 1] == "that" && i + 2 < end && language_.copula(words_.text[i + 2])));
-      const bool counts = starts(i + 1, end) && !alone && !relative_follows;
-      if (word == "one" && determined && !counts && !(i + 1 < end && words_.text[i + 1] == "of")) break;
-      if (in_place_ && (i + 1 >= end || language_.joins(words_.text[i + 1]))) {  // "change the channel to 5"
-        phrase.number = number, phrase.phrase = phrase.word = one();
-        return phrase.phrase.empty() ? at : i + 1;
-      }
-      if (word == "one" && !determined && !last_thing_.empty() &&
-          (i + 1 >= end || language_.joins(words_.text[i + 1]) || words_.text[i + 1] == "please" ||
-           (language_.hears_people() &&
-            (place_preposition(words_.text[i + 1]) || words_.text[i + 1] == "for" ||
-             words_.text[i + 1] == "there" || words_.text[i + 1] == "here")) ||
-           ((words_.text[i + 1] == "in" || words_.text[i + 1] == "on") &&
-            (i + 2 >= end || language_.joins(words_.text[i + 2]))))) {  // "get me one"
-        phrase.phrase = phrase.word = last_thing_;
-        return i + 1;
-      }
-      // "one pillow is not enough, get me two"
-      if (language_.hears_people() && number > 1 && !determined && i == at && at > 0 &&
-          (one_of(words_.text[at - 1], kPersons) || language_.verb(words_.text[at - 1]) != Frame::kNone) &&
-          !last_thing_.empty() && !language_.tv_word(last_thing_) && !lexicon_.is_place_name(last_thing_) &&
-          (i + 1 >= end || words_.text[i + 1] == "please")) {
-        phrase.phrase = phrase.word = last_thing_, phrase.count = number, phrase.plural = true;
-        return i + 1;
-      }
-      if (i + 1 >= end) break;
-      phrase.count = number, determined = true;
-    } else if (const int ordinal = ordinal_word(word)) {
-      phrase.ordinal = ordinal, determined = true;
-    } else if (one_of(word, kStates)) {
-      if (!determined && !modifier_ahead(i, end)) break;
-      phrase.adjectives.push_back(word);
-    } else if (one_of(word, kVague)) {
-      if (!determined && !modifier_ahead(i, end)) break;
-      phrase.vague = phrase.vague || (word != "only" && word != "single" && word != "whole" &&
-                                      word != "entire" && word != "own");
-    } else {
-      break;
-    }
-  }
-  const std::size_t done = head(i, end, determined, phrase);
-  if (done == i && !(determined && i > at)) return at;
-  return done;
+  return Opening(*this, at, end, phrase).read();
 }
 
 std::size_t NounPhraseReader::read_place(std::size_t at, std::size_t end, NounPhrase& place) const {

@@ -75,6 +75,9 @@ class NounPhraseReader {
   bool starts(std::size_t at, std::size_t end) const;
 
  private:
+  class Opening;  // up to the head: noun_phrase_opening.h
+  class Behind;   // behind it: noun_phrase_behind.h
+
   std::size_t read_phrase(std::size_t at, std::size_t end, NounPhrase& phrase) const;
   std::string one() const;
   bool modifier_ahead(std::size_t at, std::size_t end) const;

@@ -1,0 +1,141 @@
+// Requests without a verb that name a place: "spoon in sink", "water in", "coke fridge", "plates sink".
+#include <array>
+
+#include "components/goalnet/language/clause_fragment.h"
+
+namespace goalnet::inference {
+
+using namespace word_group;
+
+// "the bowl, into the microwave": the pause says nothing
+auto ClauseParser::Fragment::place_behind_pause() -> Read {
+  if (!is(i_, ",") || i_ + 1 >= end_ || !place_preposition(words_[i_ + 1])) return {};
+  NounPhrase place;
+  const std::size_t done = reader_.read_place(i_ + 1, end_, place);
+  if (done != i_ + 1 && !place.person && parser_.ends_here(done, end_)) ++i_;
+  return {};
+}
+
+// "water in": into what was spoken of
+auto ClauseParser::Fragment::in() -> Read {
+  if (!is(i_, "in") && !is(i_, "into") && !(people() && is(i_, "inside"))) return {};
+  if (i_ + 1 < end_ && !language_.joins(words_[i_ + 1])) return {};
+  clause_.particles = {"in"};
+  return ask(Frame::kPlace, "put", i_ + 1);
+}
+
+// "coke in there too"
+auto ClauseParser::Fragment::in_there() -> Read {
+  NounPhrase there;
+  if (!is(i_ + 1, "there") || !place_preposition(words_[i_], &there.where)) return {};
+  there.role = Role::kDestination, there.pronoun = true, there.word = "there";
+  clause_.phrases.push_back(std::move(there));
+  return ask(Frame::kPlace, "put", i_ + 2);
+}
+
+auto ClauseParser::Fragment::off_or_for() -> Read {
+  if (const std::size_t done = parser_.off_or_for(i_, end_, clause_, subject_); done != i_) return done;
+  return {};
+}
+
+// "the salt to me", "the spoon in my hand"
+auto ClauseParser::Fragment::to_somebody() -> Read {
+  NounPhrase place;
+  if (!people()) return {};
+  const std::size_t done = reader_.read_place(i_, end_, place);
+  if (done == i_ || !(place.person || place.hand) || !parser_.ends_here(done, end_)) return {};
+  return ask_to_bring(done);
+}
+
+// "spoon in sink"
+auto ClauseParser::Fragment::to_place() -> Read {
+  NounPhrase place, second, with;
+  std::size_t last = reader_.read_place(i_, end_, place);
+  if (last == i_ || place.person) return {};
+  // "everything on the counter into the sink"
+  if (const std::size_t after = reader_.read_place(last, end_, second); after != last) {
+    for (NounPhrase& phrase : clause_.phrases) phrase.at.push_back(place);
+    place = second, last = after;
+  }
+  place.role = Role::kDestination;
+  clause_.phrases.push_back(place);
+  last = more_places(last, place.where);
+  const std::size_t topped = topping(last, place, with);
+  ask(Frame::kPlace, "put", last);
+  if (topped == last) return last;
+  Clause top;
+  top.frame = Frame::kAdd, top.verb = "add", top.words = {"add"};
+  top.phrases = {std::move(with), std::move(place)};
+  parser_.add(std::move(top));
+  return topped;
+}
+
+// "(pillows on armchair 4) and the couch"; where it ends, `at` where there is none
+std::size_t ClauseParser::Fragment::more_places(std::size_t at, Where where) {
+  std::size_t last = at;
+  for (NounPhrase more; people() && last + 1 < end_ && words_[last] == "and"; more = {}) {
+    const std::size_t after = reader_.read(last + 1, end_, more, true);
+    if (after == last + 1 || !lexicon_.is_place_name(more.phrase) || !parser_.ends_here(after, end_)) break;
+    more.role = Role::kDestination, more.where = where, more.joined = true;
+    clause_.phrases.push_back(more);
+    last = after;
+  }
+  return last;
+}
+
+// "(ice cream in the bowl) with chocolate syrup": into the same; where it ends, `at` where there is none
+std::size_t ClauseParser::Fragment::topping(std::size_t at, const NounPhrase& place, NounPhrase& with) const {
+  static constexpr std::array kToppings = {"syrup"sv, "sauce"sv, "topping"sv};
+  if (!people() || !is(at, "with") || !language_.holds_things(place.phrase)) return at;
+  const std::size_t topped = reader_.read(at + 1, end_, with);
+  const bool tops = topped != at + 1 && clause_.phrases.size() == 2 && parser_.ends_here(topped, end_) &&
+                    language_.content(subject_.phrase) != symbol::kNone &&
+                    (language_.content(with.phrase) != symbol::kNone ||
+                     one_of(with.phrase.substr(with.phrase.rfind(' ') + 1), kToppings));
+  return tops ? topped : at;
+}
+
+// "coke fridge"
+auto ClauseParser::Fragment::content_then_place() -> Read {
+  if (!people() || subject_.content.empty() || !lexicon_.is_place_name(subject_.phrase) ||
+      language_.holds_things(subject_.phrase) || !behind().harmless)
+    return {};
+  NounPhrase& there = clause_.phrases.front();
+  there.modifier = there.content;
+  there.content.clear(), subject_.content.clear();
+  return ask(Frame::kPlace, "put", i_);
+}
+
+// "plate bowl both counter"
+auto ClauseParser::Fragment::things_then_place() -> Read {
+  if (!people()) return {};
+  Clause placed = clause_;
+  if (const std::size_t done = parser_.things_then_place(i_, end_, placed); done != i_) return done;
+  return {};
+}
+
+// "plates sink"
+auto ClauseParser::Fragment::thing_then_place() -> Read {
+  if (subject_.modifier.empty() || !behind().harmless) return {};
+  return ask(Frame::kPlace, "put", i_);
+}
+
+// "that controller has no business on the couch, shelf please": there it goes
+auto ClauseParser::Fragment::place_alone() -> Read {
+  if (!people() || !behind().harmless || !polite() || result_.clauses.empty() ||
+      !lexicon_.is_place_name(subject_.phrase) || language_.holds_things(subject_.phrase))
+    return {};
+  const Clause& before = result_.clauses.back();
+  if (before.mood == Mood::kQuestion || before.first(Role::kDirect) == nullptr ||
+      before.first(Role::kDestination) != nullptr)
+    return {};
+  NounPhrase it;
+  it.pronoun = true, it.word = "it", it.plural = before.phrases.size() > 1;
+  subject_.role = Role::kDestination, subject_.where = Where::kTo;
+  clause_.phrases = {std::move(it), std::move(subject_)};
+  std::size_t next = i_;
+  while (next < end_ && !language_.joins(words_[next])) ++next;
+  return ask(Frame::kPlace, "put", next);
+}
+
+}  // namespace goalnet::inference
