@@ -13,18 +13,30 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
 }
 
 std::size_t ClauseParser::Fragment::read() {
-  static constexpr std::array<Rule, 22> kRules = {&Fragment::one_of_nothing,     &Fragment::other_than,
-                                                  &Fragment::place_told_again,   &Fragment::unknown_thing,
-                                                  &Fragment::switched,           &Fragment::too_much,
-                                                  &Fragment::place_behind_pause, &Fragment::in,
-                                                  &Fragment::in_there,           &Fragment::off_or_for,
-                                                  &Fragment::to_somebody,        &Fragment::to_place,
-                                                  &Fragment::in_state,           &Fragment::channel,
-                                                  &Fragment::content_then_place, &Fragment::things_then_place,
-                                                  &Fragment::thing_then_place,   &Fragment::too,
-                                                  &Fragment::place_alone,        &Fragment::and_that,
-                                                  &Fragment::asked_for,          &Fragment::as_before};
-  i_ = parser_.things_of_fragment(at_, end_, clause_, subject_);
+  static constexpr std::array<Rule, 23> kRules = {&Fragment::one_of_nothing,
+                                                  &Fragment::other_than,
+                                                  &Fragment::place_told_again,
+                                                  &Fragment::unknown_thing,
+                                                  &Fragment::switched,
+                                                  &Fragment::too_much,
+                                                  &Fragment::place_behind_pause,
+                                                  &Fragment::in,
+                                                  &Fragment::in_there,
+                                                  &Fragment::off_place,
+                                                  &Fragment::for_place,
+                                                  &Fragment::to_somebody,
+                                                  &Fragment::to_place,
+                                                  &Fragment::in_state,
+                                                  &Fragment::channel,
+                                                  &Fragment::content_then_place,
+                                                  &Fragment::things_then_place,
+                                                  &Fragment::thing_then_place,
+                                                  &Fragment::too,
+                                                  &Fragment::place_alone,
+                                                  &Fragment::and_that,
+                                                  &Fragment::asked_for,
+                                                  &Fragment::as_before};
+  things();
   if (const std::size_t done = parser_.all_of_them(at_, end_, subject_, i_); done != at_) return done;
   for (const Rule rule : kRules)
     if (const Read done = (this->*rule)()) return *done;

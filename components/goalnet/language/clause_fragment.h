@@ -13,6 +13,13 @@ class ClauseParser::Fragment : Rules {
  private:
   using Rule = Read (Fragment::*)();
 
+  // clause_fragment_things.cc
+  void things();
+  void more_things();
+  void left_out();
+  void served_with();
+  void sources();
+  void out_of();
   // clause_fragment.cc
   Read one_of_nothing();
   Read other_than();
@@ -31,13 +38,15 @@ class ClauseParser::Fragment : Rules {
   Read place_behind_pause();
   Read in();
   Read in_there();
-  Read off_or_for();
+  Read off_place();
+  Read for_place();
   Read to_somebody();
   Read to_place();
   Read content_then_place();
   Read things_then_place();
   Read thing_then_place();
   Read place_alone();
+  void split_modifiers(Clause& clause) const;
   std::size_t more_places(std::size_t at, Where where);
   std::size_t topping(std::size_t at, const NounPhrase& place, NounPhrase& with) const;
 

@@ -33,9 +33,41 @@ auto ClauseParser::Fragment::in_there() -> Read {
   return ask(Frame::kPlace, "put", i_ + 2);
 }
 
-auto ClauseParser::Fragment::off_or_for() -> Read {
-  if (const std::size_t done = parser_.off_or_for(i_, end_, clause_, subject_); done != i_) return done;
-  return {};
+// "everything off the stove", "spoon out of the mug"
+auto ClauseParser::Fragment::off_place() -> Read {
+  const bool out_of = people() && is(i_, "out") && is(i_ + 1, "of") && i_ + 2 < end_;
+  if (i_ + 1 >= end_ || !(is(i_, "off") || out_of)) return {};
+  NounPhrase place, to;
+  const std::size_t from = out_of ? i_ + 2 : i_ + 1;
+  const std::size_t done = reader_.read(from, end_, place, true);
+  const bool moves = out_of && reader_.read_place(done, end_, to) != done;
+  if (done == from || place.unknown || place.person || moves) return {};
+  place.role = Role::kSource;
+  clause_.phrases.push_back(std::move(place));
+  return ask(Frame::kTake, "take", done);
+}
+
+// "a pillow for every armchair", "one long cup for coke"
+auto ClauseParser::Fragment::for_place() -> Read {
+  if (!is(i_, "for") || i_ + 1 >= end_) return {};
+  NounPhrase place;
+  const std::size_t done = reader_.read(i_ + 1, end_, place, true);
+  if (done == i_ + 1) return {};
+  const bool drink = language_.content(place.phrase) != symbol::kNone;
+  if (people() && drink && parser_.ends_here(done, end_) && language_.holds_things(subject_.phrase) &&
+      subject_.content.empty()) {
+    place.role = Role::kWith;
+    clause_.phrases.push_back(std::move(place));
+    return ask(Frame::kFill, "fill", done);
+  }
+  const bool named_place = lexicon_.is_place_name(place.phrase);
+  const bool holds = language_.holds_things(place.phrase);
+  const bool holder =
+      people() && !place.unknown && !place.person && (named_place || holds || (subject_.some && drink));
+  if (!holder && !(place.all && named_place)) return {};
+  place.role = Role::kDestination, place.where = holds ? Where::kIn : Where::kOn;
+  clause_.phrases.push_back(std::move(place));
+  return ask(Frame::kPlace, "put", done);
 }
 
 // "the salt to me", "the spoon in my hand"
@@ -106,12 +138,49 @@ auto ClauseParser::Fragment::content_then_place() -> Read {
   return ask(Frame::kPlace, "put", i_);
 }
 
-// "plate bowl both counter"
+// "pillow 4 armchair 4", "plate bowl both counter": things side by side, then the place where they go
 auto ClauseParser::Fragment::things_then_place() -> Read {
-  if (!people()) return {};
+  const auto thing = [](const NounPhrase& said) {
+    return !said.bare() && !said.pronoun && !said.unknown && !said.person && !said.everything;
+  };
+  const NounPhrase& first = clause_.phrases.front();
+  if (!people() || !thing(first) || lexicon_.is_place_name(first.phrase)) return {};
   Clause placed = clause_;
-  if (const std::size_t done = parser_.things_then_place(i_, end_, placed); done != i_) return done;
+  bool both = placed.phrases.size() > 1;  // "plate and bowl counter"
+  for (std::size_t i = i_; i < end_;) {
+    if (words_[i] == "both" || words_[i] == "all") {
+      ++i, both = true;
+      continue;
+    }
+    NounPhrase next;
+    const std::size_t done = reader_.read(i, end_, next);
+    if (done == i || !thing(next)) return {};
+    i = done;
+    if (!lexicon_.is_place_name(next.phrase) || language_.holds_things(next.phrase)) {
+      placed.phrases.push_back(std::move(next));
+      continue;
+    }
+    const bool several = placed.phrases.size() > 1 || !placed.phrases.front().modifier.empty();
+    if (!parser_.ends_here(i, end_) || (several && !both)) return {};  // "mug kettle sink" may mean anything
+    split_modifiers(placed);
+    next.role = Role::kDestination, next.where = Where::kTo;
+    placed.phrases.push_back(std::move(next));
+    clause_ = std::move(placed);
+    return ask(Frame::kPlace, "put", i);
+  }
   return {};
+}
+
+// "plate bowl" are two things here, no bowl for plates.
+void ClauseParser::Fragment::split_modifiers(Clause& clause) const {
+  for (std::size_t k = 0; k < clause.phrases.size(); ++k) {
+    NounPhrase& thing = clause.phrases[k];
+    if (thing.modifier.empty() || lexicon_.is_place_name(thing.modifier)) continue;
+    NounPhrase other;
+    other.phrase = other.word = thing.modifier, other.plural = thing.modifier_plural;
+    thing.modifier.clear();
+    clause.phrases.push_back(std::move(other));
+  }
 }
 
 // "plates sink"

@@ -25,7 +25,9 @@ class ClauseParser {
   class CommandEnd;
   class Correction;
   class Fragment;
+  class List;
   class Statement;
+  class Subordinate;
   class Topic;
 
   // Each reads from word `at` and returns the first word it did not use; `end` is the end of the sentence.
@@ -81,9 +83,6 @@ class ClauseParser {
   bool again(const Clause& fragment);
   bool says_nothing_here(std::size_t at, std::size_t end) const;
   std::size_t fragment(std::size_t at, std::size_t end);
-  std::size_t things_then_place(std::size_t at, std::size_t end, Clause& clause);
-  std::size_t off_or_for(std::size_t at, std::size_t end, Clause& clause, const NounPhrase& subject);
-  std::size_t things_of_fragment(std::size_t at, std::size_t end, Clause& clause, NounPhrase& subject);
   std::size_t question(std::size_t at, std::size_t end);
   std::size_t subordinate(std::size_t at, std::size_t end);
   std::size_t condition(std::size_t at, std::size_t end);

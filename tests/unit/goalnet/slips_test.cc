@@ -33,6 +33,11 @@ TEST_F(SlipsTest, OnlyTheLastOfAListIsReplaced) {
                  "(Grasping Robot Salt_1) (Grasping Robot Spoon_1) !(Grasping Robot Fork_1)");
 }
 
+TEST_F(SlipsTest, AListAtTheVeryBeginningIsReplaced) {  // nothing stands before it, not even a verb
+  expect_reached("kitchen", "the fork and the glass, sorry, the fork and the spoon please",
+                 "(Grasping Robot Fork_1) (Grasping Robot Spoon_1) !(Grasping Robot Glass_1)");
+}
+
 TEST_F(SlipsTest, TheSentenceMayGoOnBehind) {
   expect_reached("kitchen", "put the mug, sorry, the glass in the sink",
                  "(On Glass_1 Sink) !(On Mug_1 Sink)");
