@@ -118,7 +118,8 @@ class Client {
     if (!opened) throw std::runtime_error(opened.error().message);
   }
 
-  // The callback comes exactly once from the loop: the response, or kTimeLimit.
+  // The callback comes exactly once from the loop: the response, kTimeLimit, or kComponentLost where the
+  // servers that got the request have gone.
   void call(const Request& request, Callback callback,
             std::chrono::nanoseconds timeout = std::chrono::seconds(10)) {
     base_->call(&request, timeout, [call = std::move(callback)](Expected<std::shared_ptr<void>> response) {

@@ -19,6 +19,8 @@ constexpr auto kHeartbeat = std::chrono::milliseconds(20);
 constexpr auto kAcquaintance = std::chrono::milliseconds(100);  // five heartbeats: machines are busy
 constexpr auto kLookAgain = std::chrono::milliseconds(5);
 constexpr auto kTimeoutResolution = std::chrono::milliseconds(20);
+// What a server said last may still be on its way to the loop when it is known to be gone.
+constexpr auto kLastWords = std::chrono::milliseconds(500);
 
 bool is_reader(const Gid& gid) { return (gid[15] & 0x3f) == 0x04 || (gid[15] & 0x3f) == 0x07; }
 
@@ -212,7 +214,7 @@ Expected<void> ServiceClientBase::open(const std::shared_ptr<detail::Participant
   if (!writer) return tl::unexpected(writer.error());
   requests_ = std::move(*writer);
   replies_ = std::move(*reader);
-  watch_ = Timer::create(loop_, wall_, kTimeoutResolution, [this] { drop_late(); });
+  watch_ = Timer::create(loop_, wall_, kTimeoutResolution, [this] { drop_hopeless(); });
   watch_->cancel();
   return {};
 }
@@ -236,7 +238,8 @@ void ServiceClientBase::call(const void* request, std::chrono::nanoseconds timeo
     });
     return;
   }
-  pending_[id.sequence] = {std::move(callback), std::chrono::steady_clock::now() + timeout};
+  pending_[id.sequence] = {std::move(callback), std::chrono::steady_clock::now() + timeout,
+                           requests_->matched_readers()};
   if (pending_.size() == 1) watch_->reset();
 }
 
@@ -267,20 +270,35 @@ void ServiceClientBase::finish(std::int64_t sequence, std::shared_ptr<void> resp
   callback(std::move(response));
 }
 
-void ServiceClientBase::drop_late() {
+bool ServiceClientBase::servers_gone(Pending& pending, std::chrono::steady_clock::time_point now) const {
+  const bool gone = !pending.servers.empty() &&
+                    std::none_of(pending.servers.begin(), pending.servers.end(),
+                                 [this](const Gid& server) { return requests_->matched_with(server); });
+  if (!gone) {
+    pending.gone_since.reset();
+    return false;
+  }
+  if (!pending.gone_since) pending.gone_since = now;
+  return now - *pending.gone_since > kLastWords;
+}
+
+void ServiceClientBase::drop_hopeless() {
   const auto now = std::chrono::steady_clock::now();
-  std::vector<Callback> late;
+  std::vector<std::pair<Callback, Error>> hopeless;
   for (auto it = pending_.begin(); it != pending_.end();) {
-    if (it->second.until > now) {
+    const bool late = it->second.until <= now;
+    if (!late && !servers_gone(it->second, now)) {
       ++it;
       continue;
     }
-    late.push_back(std::move(it->second.callback));
+    hopeless.emplace_back(
+        std::move(it->second.callback),
+        late ? Error{Outcome::kTimeLimit, "no answer from the service " + service_}
+             : Error{Outcome::kComponentLost, "the service " + service_ + " went away before it answered"});
     it = pending_.erase(it);
   }
   if (pending_.empty()) watch_->cancel();
-  for (const Callback& callback : late)
-    callback(fail(Outcome::kTimeLimit, "no answer from the service " + service_));
+  for (auto& [callback, error] : hopeless) callback(tl::unexpected<Error>(std::move(error)));
 }
 
 bool ServiceClientBase::ready() const { return requests_->matched() > 0 && replies_->matched() > 0; }

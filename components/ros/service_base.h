@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -100,7 +101,8 @@ class ServiceServerBase : public std::enable_shared_from_this<ServiceServerBase>
 // Used from the event loop's thread.
 class ServiceClientBase : public std::enable_shared_from_this<ServiceClientBase> {
  public:
-  // Gets the response (own it), or an error: kTimeLimit where no answer came.
+  // Gets the response (own it), or an error where no answer came: kTimeLimit, or kComponentLost soon after
+  // every server that got the request has gone. One that was started again in its place knows nothing of it.
   using Callback = std::function<void(Expected<std::shared_ptr<void>>)>;
 
   explicit ServiceClientBase(EventLoop& loop);
@@ -121,11 +123,14 @@ class ServiceClientBase : public std::enable_shared_from_this<ServiceClientBase>
   struct Pending {
     Callback callback;
     std::chrono::steady_clock::time_point until;
+    std::vector<Gid> servers;  // who got the request; empty: nobody was known
+    std::optional<std::chrono::steady_clock::time_point> gone_since = {};
   };
+  bool servers_gone(Pending& pending, std::chrono::steady_clock::time_point now) const;
   void on_reply(std::vector<std::uint8_t> payload, const SampleInfo& info);
   bool send(const void* request, SampleId* id);
   void finish(std::int64_t sequence, std::shared_ptr<void> response);
-  void drop_late();
+  void drop_hopeless();
 
   EventLoop& loop_;
   Clock wall_;

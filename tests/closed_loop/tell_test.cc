@@ -89,6 +89,7 @@ TEST(Tell, CarriesOutRefusesAndCancels) {
   const auto left = telling("turn off the tap");
   ASSERT_TRUE(left->wait_for_text("plan  ", 60s));
   robot.leave();
+  const Robot again;  // up at once, but it knows nothing of what the first one was told
   const ProcessResult lost = left->wait(20s);
   EXPECT_EQ(lost.exit_code, 32) << lost.out << lost.err;
   EXPECT_THAT(lost.err, HasSubstr("went away"));

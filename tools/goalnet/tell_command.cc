@@ -48,8 +48,6 @@ constexpr const char* kFooter =
 // How long the robot may take to say how a cancelled instruction ended, and why it did not accept one.
 constexpr auto kPatience = 10s;
 constexpr auto kReason = 2s;
-// A robot that restarts is back before this; its instruction is lost with it all the same.
-constexpr auto kGone = 5s;
 
 struct TellOptions {
   std::string instruction;
@@ -88,25 +86,17 @@ class Telling {
     const ros::GoalId id = client_.send(goal, {.on_response = [this](bool accepted) { accepted_ = accepted; },
                                                .on_feedback = {},
                                                .on_result = [this](auto result) { on_result(result); }});
-    // In rounds, so that a signal is seen, and a robot that went away.
+    // In rounds, so that a signal is seen.
     std::optional<SteadyClock::time_point> patience;
     while (!result_) {
       loop_.run_for(100ms, [this] { return result_ || accepted_ == false; });
       if (accepted_ == false && !result_) return refusal();
       if (stop_.requested() && !patience) {
-        client_.cancel(id);
+        client_.cancel(id, [this](const Expected<ros::CancelCode>& code) { on_cancel_answer(code); });
         patience = SteadyClock::now() + kPatience;
       }
       if (patience && SteadyClock::now() > *patience)
         return fail(Outcome::kComponentLost, "the robot did not answer that it has stopped: look at it");
-      if (!client_.wait_for_server(0s) && !result_) {
-        if (!gone_) gone_ = SteadyClock::now();
-        if (SteadyClock::now() - *gone_ > kGone)
-          return fail(Outcome::kComponentLost,
-                      place_ + " went away before it said how the instruction ended");
-      } else {
-        gone_.reset();
-      }
     }
     return *result_;
   }
@@ -152,7 +142,12 @@ class Telling {
 
   void on_result(const Expected<std::pair<ros::GoalState, FollowAction::Result>>& answer) {
     if (!answer) {
-      result_ = tl::unexpected<Error>(answer.error());
+      const bool lost = answer.error().outcome == Outcome::kComponentLost;
+      result_ = fail(answer.error().outcome,
+                     lost ? place_ +
+                                " went away before it said how the instruction ended; if it was started "
+                                "again, the instruction is lost all the same"
+                          : answer.error().message);
       return;
     }
     const auto& [state, told] = *answer;
@@ -169,6 +164,12 @@ class Telling {
     report.facts_removed = FactSet(messages::from_message(told.facts_removed()));
     report.actions = messages::from_message(told.actions());
     result_ = std::move(report);
+  }
+
+  // One that was started again in the meantime stops what its predecessor began.
+  void on_cancel_answer(const Expected<ros::CancelCode>& code) {
+    if (code && *code == ros::CancelCode::kUnknownGoal && !result_)
+      result_ = fail(Outcome::kComponentLost, "the robot knows nothing of the instruction any more");
   }
 
   // The reason of a goal that was not accepted is in the status of that instruction.
@@ -188,7 +189,6 @@ class Telling {
   std::shared_ptr<ros::Subscription<InstructionStatus>> status_;
   std::string place_;
   SteadyClock::time_point start_ = SteadyClock::now();
-  std::optional<SteadyClock::time_point> gone_;
   bool sent_ = false;
   std::uint64_t last_seen_ = 0;  // id of the newest instruction before ours
   std::uint64_t ours_ = 0;

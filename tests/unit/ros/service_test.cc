@@ -82,6 +82,36 @@ TEST(Service, NoServerIsATimeout) {
   EXPECT_EQ(response.error().outcome, Outcome::kTimeLimit);
 }
 
+TEST(Service, AServerThatGoesBeforeItAnswersIsTold) {
+  auto here = make_context(kServiceDomain), there = make_context(kServiceDomain);
+  EventLoop loop;
+  Node client_node(*here, loop, plain("client"));
+  Node server_node(*there, loop, plain("server"));
+  int asked = 0;
+  const auto serve = [&] {
+    return Server<Trigger>::deferred(server_node, "later", [&](auto, auto) { ++asked; });
+  };
+  auto server = serve();
+  Client<Trigger> client(client_node, "later");
+  ASSERT_TRUE(client.wait_for_service(5s));
+  std::optional<Error> error;
+  client.call(
+      {},
+      [&](auto response) {
+        if (!response) error = response.error();
+      },
+      1h);
+  ASSERT_TRUE(loop.run_for(5s, [&] { return asked == 1; }));
+  loop.run_for(700ms);
+  EXPECT_FALSE(error) << error->message << ": a server may take its time";
+  server.reset();
+  server = serve();  // started again, it knows nothing of what was asked before
+  EXPECT_TRUE(loop.run_for(5s, [&] { return error.has_value(); }));
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->outcome, Outcome::kComponentLost);
+  EXPECT_EQ(asked, 1);
+}
+
 TEST(Service, DeferredAnswers) {
   auto context = make_context(kServiceDomain);
   EventLoop loop;
