@@ -45,12 +45,17 @@ ActionGoals::Goal* ActionGoals::find(const GoalId& id) {
   return found == goals_.end() ? nullptr : &*found;
 }
 
+bool ActionGoals::can_accept(const GoalId& id) const {
+  if (state(id)) return false;
+  return goals_.size() < capacity_ ||
+         std::any_of(goals_.begin(), goals_.end(), [](const Goal& goal) { return terminal(goal.state); });
+}
+
 bool ActionGoals::accept(const GoalId& id, Time now) {
-  if (find(id) != nullptr) return false;
+  if (!can_accept(id)) return false;
   if (goals_.size() >= capacity_) {
     const auto oldest =
         std::find_if(goals_.begin(), goals_.end(), [](const Goal& goal) { return terminal(goal.state); });
-    if (oldest == goals_.end()) return false;
     goals_.erase(oldest);
   }
   goals_.push_back({id, now, GoalState::kAccepted, Time()});

@@ -48,6 +48,7 @@ class ActionGoals {
   // False if the id is taken, or all places are held by unfinished goals. Else the oldest finished goals make
   // room.
   bool accept(const GoalId& id, Time now);
+  bool can_accept(const GoalId& id) const;
   // False, and nothing changes, for an unknown goal or a change that is not allowed.
   bool set(const GoalId& id, GoalState state, Time now);
   std::optional<GoalState> state(const GoalId& id) const;

@@ -192,7 +192,8 @@ class ActionServer {
     const Time now = core_->node.now();
     response.stamp(now.to_msg());
     core_->expire();
-    const GoalResponse answer = core_->goals.state(id) || !callbacks_.on_goal
+    // Who is asked may begin at once: not with a goal that would be refused all the same.
+    const GoalResponse answer = !core_->goals.can_accept(id) || !callbacks_.on_goal
                                     ? GoalResponse::kReject
                                     : callbacks_.on_goal(id, request->goal());
     if (answer == GoalResponse::kReject || !core_->goals.accept(id, now)) {

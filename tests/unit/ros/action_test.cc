@@ -324,6 +324,32 @@ TEST(Action, ResultsAreKeptForTheirTimeAndThenForgotten) {
   EXPECT_EQ(get_result.call_and_run(request, 2s)->status(), 0) << "forgotten: unknown";
 }
 
+TEST(Action, AGoalThatHasNoRoomIsNotBegun) {
+  auto context = make_context(kActionDomain);
+  EventLoop loop;
+  Node node(*context, loop, plain("node"));
+  int begun = 0;
+  std::vector<std::shared_ptr<GoalHandle<Fibonacci>>> goals;
+  ActionServer<Fibonacci> server(node, "fib",
+                                 {.on_goal =
+                                      [&](const GoalId&, const auto&) {
+                                        ++begun;
+                                        return GoalResponse::kExecute;
+                                      },
+                                  .on_accepted = [&](auto goal) { goals.push_back(std::move(goal)); },
+                                  .on_cancel = {}},
+                                 {.capacity = 1});
+  ActionClient<Fibonacci> client(node, "fib");
+  std::vector<bool> accepted;
+  for (int i = 0; i < 2; ++i)
+    client.send(
+        order(1),
+        {.on_response = [&](bool yes) { accepted.push_back(yes); }, .on_feedback = {}, .on_result = {}});
+  ASSERT_TRUE(loop.run_for(2s, [&] { return accepted.size() == 2; }));
+  EXPECT_THAT(accepted, testing::ElementsAre(true, false));
+  EXPECT_EQ(begun, 1);
+}
+
 TEST(Action, ADroppedHandleAbortsItsGoal) {
   auto context = make_context(kActionDomain);
   EventLoop loop;
