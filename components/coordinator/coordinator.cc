@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "components/coordinator/request.h"
 
@@ -153,6 +154,7 @@ void Coordinator::drop(std::uint64_t id, const Request& request, const std::stri
 }
 
 void Coordinator::on_world(WorldState world, TimeNs stamp, TimeNs now) {
+  world_heard_ = now;
   const bool older = has_world_ && stamp < world_stamp_;
   const bool clock_restarted = older && now < world_stamp_;  // a simulator that was started again
   if (older && !clock_restarted) return;                     // late
@@ -187,6 +189,11 @@ void Coordinator::on_plan(const PlanAnswer& answer, TimeNs now) {
 }
 
 void Coordinator::on_action(const ActionReport& report, TimeNs now) {
+  // What runs for an instruction that nobody watches any more is stopped: its coordinator was killed, or it
+  // did not stop in time. What people ask of manipulation by hand has the number 0, and is theirs.
+  const bool watched = task_ && report.id == task_->id;
+  if (!watched && !report.finished && report.id != 0)
+    return port_.cancel(ActionOrder{report.id, report.step, report.index, {}});
   if (!task_ || report.id != task_->order.id || report.step != task_->order.step ||
       report.index != task_->order.index) {
     return;
@@ -233,7 +240,7 @@ void Coordinator::check_timeouts(TimeNs now) {
   switch (report_.stage) {
     case Stage::kWaiting:
       if (after(params_.first_world_timeout)) {
-        finish(Outcome::kWorldStale, "no fresh world state arrived; is the world model running?", now);
+        finish(Outcome::kWorldStale, why_stale("no fresh world state arrived", now), now);
       }
       return;
     case Stage::kStopping:
@@ -266,12 +273,20 @@ void Coordinator::check_timeouts(TimeNs now) {
       return;
   }
   if (now - world_stamp_ > nanoseconds(params_.world_timeout)) {
-    return stop(Outcome::kWorldStale, "the world state is no longer updated; is the world model running?",
-                now);
+    return stop(Outcome::kWorldStale, why_stale("the world state is no longer updated", now), now);
   }
   if (now - task.started > nanoseconds(params_.instruction_timeout)) {
     stop(Outcome::kTimeLimit, "the instruction took too long", now);
   }
+}
+
+std::string Coordinator::why_stale(const std::string& what, TimeNs now) const {
+  if (!has_world_ || now - world_heard_ > nanoseconds(params_.world_timeout))
+    return what + "; is the world model running?";
+  char age[32];
+  std::snprintf(age, sizeof age, "%.1f", 1e-9 * static_cast<double>(now - world_stamp_));
+  return "world states arrive, but the newest is " + std::string(age) +
+         " s old; do the clocks of all computers agree?";
 }
 
 void Coordinator::send_again(TimeNs now) {

@@ -169,6 +169,7 @@ class Coordinator {
   void stop(Outcome outcome, const std::string& message, TimeNs now);
   void finish(Outcome outcome, const std::string& message, TimeNs now);
   void check_timeouts(TimeNs now);
+  std::string why_stale(const std::string& what, TimeNs now) const;
   void send_again(TimeNs now);
 
   const CoordinatorParams params_;
@@ -181,6 +182,7 @@ class Coordinator {
   Report report_;
   WorldState world_;
   TimeNs world_stamp_ = 0;
+  TimeNs world_heard_ = 0;  // when one last arrived, however old
   bool has_world_ = false;
   std::string last_difference_;
 };

@@ -116,7 +116,7 @@ ActionRunner::Orders ActionRunner::update(const WorldView& world, const executor
     settle();
   }
   const bool plans = state_ == State::kPlanning || state_ == State::kNextPhase;
-  if (plans && waits_for_standstill(status)) return orders;
+  if (plans && waits_for_standstill(status, orders)) return orders;
   // An attempt that fails in planning is followed by the next at once: the robot stands still meanwhile.
   while ((state_ == State::kPlanning || state_ == State::kNextPhase) && !orders.send) {
     if (bench_.stopped()) {
@@ -141,14 +141,18 @@ bool ActionRunner::fails_again() {
   return true;
 }
 
-// The executor comes to rest after something that no motion of ours waited for: somebody pushed the standing
-// robot.
-bool ActionRunner::waits_for_standstill(const executor::ExecutorStatus& status) {
-  if (status.state != executor::ExecutorState::kStopping) {
+// The executor moves although no motion of ours is under way. It comes to rest after somebody pushed the
+// standing robot; or it follows what another one sent, who was killed, and is told to stop.
+bool ActionRunner::waits_for_standstill(const executor::ExecutorStatus& status, Orders& orders) {
+  const bool follows = status.state == executor::ExecutorState::kExecuting;
+  if (!follows && status.state != executor::ExecutorState::kStopping) {
     waiting_since_ns_ = -1;
     return false;
   }
-  if (waiting_since_ns_ < 0) waiting_since_ns_ = now_ns_;
+  if (waiting_since_ns_ < 0) {
+    waiting_since_ns_ = now_ns_;
+    orders.stop = follows;
+  }
   if (now_ns_ - waiting_since_ns_ > kExecutorSlack)
     finish(Outcome::kComponentLost, "the executor does not come to rest; is it running?");
   return true;

@@ -51,7 +51,7 @@ class ActionRunner {
  private:
   enum class State { kIdle, kPlanning, kNextPhase, kMoving, kSettling, kStopping, kFinished };
   bool fails_again();
-  bool waits_for_standstill(const executor::ExecutorStatus& status);
+  bool waits_for_standstill(const executor::ExecutorStatus& status, Orders& orders);
   void plan_attempt();
   void next_phase(Orders& orders);
   void watch_motion(const executor::ExecutorStatus& status);

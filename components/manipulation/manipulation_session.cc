@@ -146,9 +146,18 @@ void ManipulationSession::on_cancel(const ActionRequest& message) {
     update();
   } else if (last_ && answers(*last_, message)) {
     status_->publish(*last_);
+  } else if (!current_ && moving()) {
+    // By one of us that was killed. The answer has to wait: it means that the robot stands.
+    stopping_for_ = message;
+    send_stop();
   } else {
     publish_status(message, true, {Outcome::kCancelled, "it did not run"});
   }
+}
+
+bool ManipulationSession::moving() const {
+  return executor_.state == executor::ExecutorState::kExecuting ||
+         executor_.state == executor::ExecutorState::kStopping;
 }
 
 void ManipulationSession::send_stop() {
@@ -174,6 +183,9 @@ void ManipulationSession::start_waiting() {
 }
 
 void ManipulationSession::update() {
+  if (stopping_for_ && !moving())
+    publish_status(*std::exchange(stopping_for_, {}), true,
+                   {Outcome::kCancelled, "it did not run; the robot was stopped"});
   start_waiting();
   if (!current_) return;
   if (executor_.state == executor::ExecutorState::kFault) return end_in_fault();
@@ -194,8 +206,10 @@ void ManipulationSession::end_in_fault() {
   for (int i = 0; i < 2 && runner_.running(); ++i) {
     static_cast<void>(runner_.update(perception_.view(node_.now().nanoseconds), executor_));
   }
-  const Error fault =
-      fault_.message.empty() ? Error{Outcome::kMotionFailed, "the executor is in fault; reset it"} : fault_;
+  const Error fault = fault_.message.empty()
+                          ? Error{Outcome::kMotionFailed,
+                                  "the executor is in fault; send \"reset\" on the topic executor_command"}
+                          : fault_;
   publish_status(*std::exchange(current_, {}), true, fault);
 }
 

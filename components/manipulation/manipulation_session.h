@@ -48,6 +48,7 @@ class ManipulationSession {
   template <class Message>
   void perceive(const char* topic, const Message& message);
   void update();
+  bool moving() const;  // as the executor said last
   void send_stop();
   void start_waiting();
   void end_in_fault();
@@ -65,9 +66,10 @@ class ManipulationSession {
   std::atomic<std::uint64_t> instruction_{0};  // that current_ belongs to
   std::uint32_t step_ = 0;                     // of it
 
-  std::optional<goalnet_msgs::msg::ActionRequest> current_;  // runs
-  std::optional<goalnet_msgs::msg::ActionRequest> waiting_;  // for the world, or for the end of current_
-  std::optional<goalnet_msgs::msg::ActionStatus> last_;      // how the last one ended
+  std::optional<goalnet_msgs::msg::ActionRequest> current_;       // runs
+  std::optional<goalnet_msgs::msg::ActionRequest> waiting_;       // for the world, or for the end of current_
+  std::optional<goalnet_msgs::msg::ActionRequest> stopping_for_;  // a cancel, answered when the robot stands
+  std::optional<goalnet_msgs::msg::ActionStatus> last_;           // how the last one ended
   std::string reported_stage_;
   ros::Time reported_at_;
   ros::LogLimit bad_messages_;

@@ -10,6 +10,8 @@
 
 #include "components/messages/conversions.h"
 #include "components/ros/node.h"
+#include "goalnet_msgs/msg/ActionStatus.h"
+#include "goalnet_msgs/msg/CancelInstruction.h"
 #include "goalnet_msgs/msg/GoalPredicates.h"
 #include "goalnet_msgs/msg/InstructionStatus.h"
 #include "goalnet_msgs/msg/WorldState.h"
@@ -90,6 +92,10 @@ class Processes : public testing::Test {
     if (component == "coordinator")
       words.insert(words.end(), {"-p", "action_silence_timeout:=4.0", "-p", "cancel_timeout:=1.0", "-p",
                                  "planning_timeout:=5.0"});
+    // Long enough to lose components in one and the same motion.
+    if (component == "coordinator" && slow_)
+      words.insert(words.end(), {"-p", "action_silence_timeout:=60.0", "-p", "cancel_timeout:=20.0"});
+    if (component == "manipulation" && slow_) words.insert(words.end(), {"-p", "speed:=0.08"});
     // Sixteen processes on two cores: a simulator that gets no time for a moment is no fault.
     if (component == "executor") words.insert(words.end(), {"-p", "measurement_timeout:=2.0"});
     if (!space.empty()) words.insert(words.end(), {"-r", "__ns:=" + space});
@@ -137,6 +143,7 @@ class Processes : public testing::Test {
   std::unique_ptr<ros::Context> context_;
   std::unique_ptr<ros::Node> node_;
   std::map<std::string, std::unique_ptr<Process>> running_;
+  bool slow_ = false;
 };
 
 TEST_F(Processes, TwoRobotsOnOneNetworkInAnyStartOrder) {
@@ -194,6 +201,37 @@ TEST_F(Processes, WhatIsKilledInMotionEndsInAFaultAndTheRobotRests) {
   }
   ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
   EXPECT_EQ(person.outcome(), 0) << person.last.message();
+}
+
+// A person who was told of an end, or of nothing at all, may go near the robot.
+TEST_F(Processes, WhatMovesForNobodyIsStoppedByWhoIsStartedAgain) {
+  constexpr double kMoves = 0.02;
+  slow_ = true;
+  Person person(*node_, loop_, "");
+  int stopped = 0;
+  const auto actions = node_->subscribe<goalnet_msgs::msg::ActionStatus>(
+      "/action_status", ros::Qos::standard(), [&](const goalnet_msgs::msg::ActionStatus& status) {
+        const bool finished = status.state() == goalnet_msgs::msg::ActionStatus_Constants::FINISHED;
+        if (finished && status.outcome() == 22) ++stopped;
+      });
+  const auto cancel = node_->advertise<goalnet_msgs::msg::CancelInstruction>("/cancel_instruction");
+  start_all(4);
+  ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
+  ASSERT_TRUE(loop_.run_for(kLimit, [&] { return person.speed > kMoves || person.finished(); }));
+  lose("coordinator");
+  ASSERT_GT(person.speed, kMoves);
+  ASSERT_NO_FATAL_FAILURE(replace("coordinator"));
+  EXPECT_TRUE(loop_.run_for(std::chrono::seconds(5), [&] { return stopped == 1; }));
+  EXPECT_LT(person.speed, kMoves);
+
+  ASSERT_NO_FATAL_FAILURE(person.ask_for(kTapOn));
+  ASSERT_TRUE(loop_.run_for(kLimit, [&] { return person.speed > kMoves || person.finished(); }));
+  lose("manipulation");
+  ASSERT_NO_FATAL_FAILURE(replace("manipulation"));
+  ASSERT_GT(person.speed, kMoves) << "the executor follows what it was sent";
+  cancel->publish({});  // whatever runs
+  EXPECT_EQ(person.outcome(), 22) << person.last.message();
+  EXPECT_LT(person.speed, kMoves) << "it stands when that is told";
 }
 
 }  // namespace

@@ -213,6 +213,18 @@ TEST_F(Outcomes, WorldStaleFromTheStart) {
   expect_end(Outcome::kWorldStale, "world model");
 }
 
+TEST_F(Outcomes, WorldStaleBecauseTheClocksDiffer) {
+  play.emplace();
+  play->now = 100 * kSecond;
+  ASSERT_TRUE(play->coordinator.instruct("put the mug in the sink", 0, play->now));
+  for (int i = 0; i < 120; ++i) {
+    play->now += kSecond / 10;
+    play->coordinator.on_world({{}, kMugOnCounter}, play->now - 7 * kSecond, play->now);
+    play->coordinator.tick(play->now);
+  }
+  expect_end(Outcome::kWorldStale, "7.0 s old; do the clocks");
+}
+
 TEST_F(Outcomes, WorldStaleInMotionStopsTheRobot) {
   start_acting();
   play->silence(2.2);
@@ -252,6 +264,24 @@ TEST_F(Outcomes, ComponentLostPlanner) {
   play->infer(goal({"(On Mug_1 Sink)"}));
   play->pass(20.2);
   expect_end(Outcome::kComponentLost, "planner");
+}
+
+// Of a coordinator that was killed while the robot moved, or of one of ours that did not stop in time.
+TEST_F(Outcomes, AnActionThatNobodyWatchesIsStopped) {
+  play.emplace();
+  const ActionReport running{41, 2, 5, false, 0.5, Outcome::kDone, ""};
+  play->coordinator.on_action(running, play->now);
+  ASSERT_EQ(play->port.cancels.size(), 1u);
+  EXPECT_EQ(play->port.cancels[0].id, 41u);
+  EXPECT_EQ(play->port.cancels[0].step, 2u);
+  EXPECT_EQ(play->port.cancels[0].index, 5u);
+  auto other = running;
+  other.finished = true;
+  play->coordinator.on_action(other, play->now);
+  other = running;
+  other.id = 0;  // somebody asked manipulation by hand
+  play->coordinator.on_action(other, play->now);
+  EXPECT_EQ(play->port.cancels.size(), 1u);
 }
 
 TEST_F(Outcomes, ComponentLostManipulation) {
