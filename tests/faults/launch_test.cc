@@ -86,6 +86,18 @@ processes:
   EXPECT_FALSE(alive(stopped));
 }
 
+TEST_F(Launch, WhatIsUpAlreadyIsNotStartedTwice) {
+  const std::string text = "processes: {thinker: {component: planner}}\n";
+  const auto first = start(text);
+  ASSERT_TRUE(first->wait_for_text("planner is up", 30s));
+  const ProcessResult second = start(text)->wait(20s);
+  EXPECT_EQ(second.exit_code, 14) << second.err;
+  EXPECT_THAT(second.err, HasSubstr("/thinker is up already"));
+  EXPECT_TRUE(told(second.out).empty()) << second.out;
+  first->signal(SIGTERM);
+  EXPECT_EQ(first->wait(20s).exit_code, 0);
+}
+
 TEST_F(Launch, StartsAKilledChildAgainAndEndsAllInOrder) {
   const auto launch = start(R"(
 restart: {delay: 0.05}

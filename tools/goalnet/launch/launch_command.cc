@@ -35,7 +35,8 @@ constexpr const char* kHelp =
     "output\n"
     "for each thing that happens; the processes' output goes to standard error.\n"
     "\n"
-    "exit codes: 0 ended as asked; 13 the file makes no sense; 32 a required process is lost.\n"
+    "exit codes: 0 ended as asked; 13 the file makes no sense; 14 a component is up already; 32 a required "
+    "process is lost.\n"
     "\n"
     "Examples:\n"
     "  goalnet launch robot scene:=living_room\n"
@@ -47,9 +48,9 @@ struct Options {
   bool json = false;
 };
 
-int refuse(const std::string& message) {
-  std::cerr << "goalnet launch: " << message << "\n";
-  return static_cast<int>(Outcome::kInvalidRequest);
+int refuse(const Error& error) {
+  std::cerr << "goalnet launch: " << error.message << "\n";
+  return static_cast<int>(error.outcome);
 }
 
 Expected<Options> parse(const std::vector<std::string>& words) {
@@ -120,16 +121,17 @@ int launch_command(int argc, char** argv) {
     return 0;
   }
   const auto options = parse(words);
-  if (!options) return refuse(options.error().message);
+  if (!options) return refuse(options.error());
   LaunchSurroundings surroundings;
   surroundings.goalnet = program_folder() + "/goalnet-robot";
   for (const ComponentKind& kind : component_kinds()) surroundings.components.emplace_back(kind.name);
   if (const char* path = std::getenv("PATH")) surroundings.search_path = path;
   const std::string file = config_file("launch", options->file, ".yaml");
   if (access(file.c_str(), R_OK) != 0)
-    return refuse("cannot read the launch file " + file + "; config/launch has: " + shipped());
+    return refuse({Outcome::kInvalidRequest,
+                   "cannot read the launch file " + file + "; config/launch has: " + shipped()});
   const auto plan = read_launch_file(file, options->arguments, surroundings);
-  if (!plan) return refuse(plan.error().message);
+  if (!plan) return refuse(plan.error());
 
   const StopSignal stop;
   LaunchCallbacks callbacks;
@@ -139,19 +141,21 @@ int launch_command(int argc, char** argv) {
   };
   callbacks.stop_asked = [&] { return stop.requested(); };
   std::unique_ptr<LifeSigns> signs;
-  const auto watched = [](const LaunchedProcess& process) {
-    return !process.node.empty() && process.restart.silent_after > 0.0;
-  };
-  if (std::any_of(plan->processes.begin(), plan->processes.end(), watched)) {
+  const auto component = [](const LaunchedProcess& process) { return !process.node.empty(); };
+  if (std::any_of(plan->processes.begin(), plan->processes.end(), component)) {
     auto made = LifeSigns::watch(*plan);
-    if (!made) return refuse(made.error().message);
+    if (!made) return refuse(made.error());
     signs = std::move(*made);
+    // Two under one name would follow each other's orders.
+    if (const std::string up = signs->up_already(); !up.empty())
+      return refuse({Outcome::kBusy, "the node " + up +
+                                         " is up already, started by somebody else: end that, or take "
+                                         "another ROS_DOMAIN_ID or namespace"});
     callbacks.last_sign = [&](const std::string& node) { return signs->last(node); };
   }
   const auto done = launch(*plan, callbacks);
   if (done) return 0;
-  std::cerr << "goalnet launch: " << done.error().message << "\n";
-  return static_cast<int>(done.error().outcome);
+  return refuse(done.error());
 }
 
 }  // namespace goalnet::tools

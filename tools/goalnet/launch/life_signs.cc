@@ -17,6 +17,8 @@ namespace {
 
 using GetState = lifecycle_msgs::srv::GetState;
 constexpr auto kAskEvery = std::chrono::seconds(1);
+// Whoever is up answers a newcomer within some 50 ms.
+constexpr auto kLookAround = std::chrono::milliseconds(500);
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -95,7 +97,7 @@ LifeSigns::~LifeSigns() = default;
 Expected<std::unique_ptr<LifeSigns>> LifeSigns::watch(const LaunchPlan& plan) {
   auto impl = std::make_unique<Impl>();
   for (const LaunchedProcess& process : plan.processes) {
-    if (process.node.empty() || process.restart.silent_after <= 0.0) continue;
+    if (process.node.empty()) continue;
     auto node = impl->node_on(process);
     if (!node) return tl::unexpected<Error>(std::move(node.error()));
     impl->clients[process.node] =
@@ -104,6 +106,17 @@ Expected<std::unique_ptr<LifeSigns>> LifeSigns::watch(const LaunchPlan& plan) {
   impl->timer = ros::Timer::create(impl->loop, impl->wall, kAskEvery, [raw = impl.get()] { raw->ask(); });
   impl->thread = std::jthread([raw = impl.get()](const std::stop_token&) { raw->loop.run(); });
   return std::unique_ptr<LifeSigns>(new LifeSigns(std::move(impl)));
+}
+
+std::string LifeSigns::up_already() const {
+  const auto end = std::chrono::steady_clock::now() + kLookAround;
+  do {
+    for (const auto& [name, client] : impl_->clients) {
+      if (client->ready()) return name;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  } while (std::chrono::steady_clock::now() < end);
+  return "";
 }
 
 double LifeSigns::last(const std::string& node) const {

@@ -14,9 +14,13 @@ namespace goalnet::tools {
 // Runs a thread of its own; last() may be called from any.
 class LifeSigns {
  public:
-  // Watches the processes of the plan that are to be watched. Errors as of ros::Context and ros::Node.
+  // Asks the components of the plan. Errors as of ros::Context and ros::Node.
   static Expected<std::unique_ptr<LifeSigns>> watch(const LaunchPlan& plan);
   ~LifeSigns();
+
+  // Before they are started: one of them that is up already, started by somebody else; empty: none, after a
+  // while.
+  std::string up_already() const;
 
   // When the node with this full name last answered [s of the steady clock]; 0: never.
   double last(const std::string& node) const;
