@@ -57,8 +57,7 @@ void ExecutorNode::on_diagnose(ros::DiagnosticReport& report) {
   report.add("tracking error", std::to_string(status.tracking_error) + " (" + status.tracking_joint + ")");
   report.add("cycles", std::to_string(status.cycles));
   if (status.state == ExecutorState::kFault)
-    report.summary(ros::DiagnosticLevel::kError,
-                   "fault: " + status.message + "; the command reset leaves it");
+    report.summary(ros::DiagnosticLevel::kError, "fault: " + status.message);
 }
 
 ExecutorNode::Hook ExecutorNode::lockstep_hook() {

@@ -56,9 +56,9 @@ std::string describe(const LoopVerdict& verdict, const ExecutorParams& params) {
       return joint + " ended " + rounded(verdict.value) + " away from its goal; is it blocked?";
     case LoopReason::kNoMeasurement:
       return "no valid joint measurement for " + rounded(verdict.value) +
-             " s; check /joint_states, then reset";
+             " s; check joint_states, then send \"reset\" on the topic executor_command";
     case LoopReason::kEmergencyStop:
-      return "emergency stop; reset when it is safe";
+      return "emergency stop; when it is safe, send \"reset\" on the topic executor_command";
   }
   return "";
 }
