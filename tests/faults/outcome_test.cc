@@ -98,6 +98,17 @@ TEST(Interruption, CtrlCStopsWithinASecondAndLeavesNothing) {
   }
 }
 
+// As when a terminal is closed, or a connection breaks: the shell and the kernel both tell.
+TEST(Interruption, AClosedTerminalStopsTheRobotAsCtrlCDoes) {
+  signal(SIGHUP, SIG_DFL);  // under nohup it would be inherited, and obeyed
+  Moving moving;
+  moving.process.signal(SIGHUP);
+  moving.process.signal(SIGHUP);
+  const ProcessResult result = moving.process.wait(std::chrono::seconds(100));
+  EXPECT_EQ(result.exit_code, 22) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("\ncancelled: "));
+}
+
 TEST(Interruption, CtrlCWhileStartingEndsCleanly) {
   Process process({testing_support::program("goalnet"), "run", "open the microwave"}, with_shared_memory());
   for (int i = 0; i < 10'000 && testing_support::shared_memory_of(process.pid()).empty(); ++i) {

@@ -17,8 +17,10 @@ namespace {
 std::atomic<int> signal_pipe{-1};
 std::atomic<int> signal_count{0};
 
-void handle(int) {
+void handle(int number) {
   const int saved = errno;
+  // A terminal that is closed says so more than once: that is not impatience.
+  if (number == SIGHUP && signal_count.load() > 0) return;
   if (signal_count.fetch_add(1) >= 1) _exit(static_cast<int>(Outcome::kCancelled));
   const char byte = 's';
   if (const int fd = signal_pipe.load(); fd >= 0) {
@@ -35,7 +37,7 @@ struct StopSignal::Impl {
   int read_end = -1;
   int write_end = -1;
   struct sigaction old_int {
-  }, old_term{};
+  }, old_term{}, old_hangup{};
   std::atomic<std::int64_t> first{0};  // steady clock, 0: none
   std::thread thread;
 
@@ -66,11 +68,15 @@ StopSignal::StopSignal(std::function<void()> on_signal) : impl_(new Impl) {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, &impl_->old_int);
   sigaction(SIGTERM, &action, &impl_->old_term);
+  sigaction(SIGHUP, &action, &impl_->old_hangup);
+  if (impl_->old_hangup.sa_handler == SIG_IGN)  // nohup
+    sigaction(SIGHUP, &impl_->old_hangup, nullptr);
 }
 
 StopSignal::~StopSignal() {
   sigaction(SIGINT, &impl_->old_int, nullptr);
   sigaction(SIGTERM, &impl_->old_term, nullptr);
+  sigaction(SIGHUP, &impl_->old_hangup, nullptr);
   signal_pipe = -1;
   if (impl_->thread.joinable()) {
     const char byte = 'q';

@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM as a question that a loop can ask.
+// Ctrl-C, SIGTERM and the end of the terminal (SIGHUP) as a question that a loop can ask.
 #pragma once
 
 #include <chrono>
@@ -6,8 +6,9 @@
 
 namespace goalnet::tools {
 
-// One at a time in a process. While it lives, SIGINT and SIGTERM are counted instead of ending the process;
-// the second one ends it at once, for people who have lost patience.
+// One at a time in a process. While it lives, SIGINT, SIGTERM and SIGHUP (unless that is ignored, as under
+// nohup) are counted instead of ending the process; a second SIGINT or SIGTERM ends it at once, for people
+// who have lost patience.
 class StopSignal {
  public:
   // `on_signal` is called from a thread of its own at the first signal: for interrupting long computations.
