@@ -126,9 +126,9 @@ void CollisionChecker::update(const WorldView& world, const std::vector<std::opt
     auto& b = bodies_[static_cast<std::size_t>(body_index_.at(object.name))];
     const Pose* pose = world.object(object.name);
     b.present = pose != nullptr;
-    b.riding = pose != nullptr && over_tray(*pose, world.robot);
     if (pose) b.shape.place(*pose);
   }
+  find_riding(world);
   held_ = held;
   held_.resize(model_.arms.size());
   for (std::size_t arm = 0; arm < held_.size(); ++arm) {
@@ -148,17 +148,50 @@ void CollisionChecker::update(const WorldView& world, const std::vector<std::opt
   }
 }
 
-bool CollisionChecker::over_tray(const Pose& object, const std::vector<double>& q) const {
-  if (!model_.tray) return false;
-  const Pose tray = kinematics_.forward(q, kinematics_.link_index(model_.tray->link));
-  const Eigen::Vector3d p = tray.inverse() * object.translation();
-  for (const auto& slot : model_.tray->slots) {
-    const Eigen::Vector3d d = p - slot.position;
-    if (std::abs(d.x()) < slot.size.x() / 2 && std::abs(d.y()) < slot.size.y() / 2 && d.z() > -0.02 &&
-        d.z() < 0.06)
-      return true;
+// What stands in a slot of the tray, what is in or on that, and so on.
+void CollisionChecker::find_riding(const WorldView& world) {
+  riding_.clear();
+  for (Body& b : bodies_) b.riding = false;
+  if (!model_.tray) return;
+  const Pose to_tray = kinematics_.forward(world.robot, kinematics_.link_index(model_.tray->link)).inverse();
+  const auto over_tray = [&](const Pose& object) {
+    const Eigen::Vector3d p = to_tray * object.translation();
+    return std::ranges::any_of(model_.tray->slots, [&](const auto& slot) {
+      const Eigen::Vector3d d = p - slot.position;
+      return std::abs(d.x()) < slot.size.x() / 2 && std::abs(d.y()) < slot.size.y() / 2 && d.z() > -0.02 &&
+             d.z() < 0.06;
+    });
+  };
+  const auto add = [&](const std::string& name) {
+    const Pose* pose = world.object(name);
+    Body& b = bodies_[static_cast<std::size_t>(body(name))];
+    if (pose == nullptr || b.riding) return;
+    b.riding = true;
+    b.pose = *pose;
+    b.on_tray = to_tray * *pose;
+    riding_.push_back(body(name));
+  };
+  for (const auto& object : scene_.objects)
+    if (const Pose* pose = world.object(object.name); pose != nullptr && over_tray(*pose)) add(object.name);
+  for (std::size_t i = 0; i < riding_.size(); ++i) {
+    const std::string below = bodies_[static_cast<std::size_t>(riding_[i])].name;
+    for (const Predicate& fact : world.facts)
+      if ((fact.relation == "In" || fact.relation == "On") && fact.object == below && body(fact.subject) >= 0)
+        add(fact.subject);
   }
-  return false;
+}
+
+void CollisionChecker::ride_along(bool along) {
+  along_ = along;
+  for (const int i : riding_) {
+    Body& b = bodies_[static_cast<std::size_t>(i)];
+    b.shape.place(b.pose);
+  }
+}
+
+const PlacedShape& CollisionChecker::shape_of(int part) const {
+  const auto i = static_cast<std::size_t>(part);
+  return i < parts_.size() ? parts_[i] : bodies_[i - parts_.size()].shape;
 }
 
 bool CollisionChecker::rides(const std::string& object) const {
@@ -191,6 +224,7 @@ int CollisionChecker::body(const std::string& name) const {
 std::string CollisionChecker::part_name(int part) const {
   const auto i = static_cast<std::size_t>(part);
   if (i < kinematics_.link_count()) return kinematics_.link_name(i);
+  if (i >= parts_.size()) return bodies_[i - parts_.size()].name;
   const auto& held = held_[i - kinematics_.link_count()];
   return held ? held->name : "hand";
 }

@@ -58,8 +58,11 @@ class CollisionChecker {
   // thought.
   void pose_joint(const WorldView& world, const std::string& joint, double position);
 
-  // Objects that stand on the robot's tray drive along with it: leave them out while the base moves.
-  void ignore_riding(bool ignore) { ignore_riding_ = ignore; }
+  // Whether what stands on the robot's tray, and what is in or on that, moves along with the postures asked
+  // about (the base drives), so that arms and furniture must keep clear of it where it is then; else it stays
+  // in place.
+  void ride_along(bool along);
+  bool rides_along() const { return along_; }
   bool rides(const std::string& object) const;
 
   // Objects that are taken for gone, in thought, until this is called again; empty: none. For finding out
@@ -106,6 +109,7 @@ class CollisionChecker {
     PlacedShape shape;
     bool present = true;
     bool riding = false;
+    Pose pose = Pose::Identity(), on_tray = Pose::Identity();  // of what rides: map frame, tray's frame
     bool movable = false;
     bool left_out = false;
     bool counts() const { return present && !left_out; }
@@ -113,17 +117,19 @@ class CollisionChecker {
   void place_robot(const std::vector<double>& q) const;
   std::string part_name(int part) const;
   void find_self_pairs();
-  bool over_tray(const Pose& object, const std::vector<double>& q) const;
+  void find_riding(const WorldView& world);
+  const PlacedShape& shape_of(int part) const;  // of a part, or, beyond those, of a body that rides
   template <class Visit>
   void visit_contacts(const std::vector<double>& q, const CollisionQuery& query, Visit&& visit) const;
 
   const robot::RobotModel& model_;
   const robot::Kinematics& kinematics_;
   const scene::Scene& scene_;
-  std::vector<Body> bodies_;
+  mutable std::vector<Body> bodies_;  // what rides is placed as the parts are
   std::map<std::string, int> body_index_;
   int floor_ = -1;
-  bool ignore_riding_ = false;
+  bool along_ = false;
+  std::vector<int> riding_;                           // bodies
   std::map<std::string, PlacedShape> object_shapes_;  // by model name, for attachments and fit tests
   mutable std::vector<PlacedShape> parts_;
   mutable std::vector<Pose> link_poses_;
@@ -132,6 +138,21 @@ class CollisionChecker {
   std::vector<std::pair<int, int>> self_pairs_;
   PartSet all_parts_, trunk_parts_;
   std::vector<PartSet> arm_parts_, hand_parts_;
+};
+
+// While it lives the base moves, in thought, and what stands on the tray with it.
+class RidingAlong {
+ public:
+  explicit RidingAlong(CollisionChecker& checker) : checker_(checker), before_(checker.rides_along()) {
+    checker_.ride_along(true);
+  }
+  ~RidingAlong() { checker_.ride_along(before_); }
+  RidingAlong(const RidingAlong&) = delete;
+  RidingAlong& operator=(const RidingAlong&) = delete;
+
+ private:
+  CollisionChecker& checker_;
+  const bool before_;
 };
 
 }  // namespace goalnet::manipulation

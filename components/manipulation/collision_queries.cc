@@ -22,9 +22,16 @@ void CollisionChecker::place_robot(const std::vector<double>& q) const {
     if (!shape.empty())
       shape.place(link_poses_[static_cast<std::size_t>(tool_links_[arm])] * held_[arm]->object_in_tool);
   }
+  if (!along_ || riding_.empty()) return;
+  const Pose& tray = link_poses_[static_cast<std::size_t>(kinematics_.link_index(model_.tray->link))];
+  for (const int i : riding_) {
+    Body& b = bodies_[static_cast<std::size_t>(i)];
+    b.shape.place(tray * b.on_tray);
+  }
 }
 
-// Calls visit(a, b, is_body, limit) for each pair to look at; stops when it returns true.
+// Calls visit(a, b, is_body, limit) for each pair to look at; stops when it returns true. What rides along is
+// a part, too: the first after the robot's own.
 template <class Visit>
 void CollisionChecker::visit_contacts(const std::vector<double>& q, const CollisionQuery& query,
                                       Visit&& visit) const {
@@ -38,9 +45,19 @@ void CollisionChecker::visit_contacts(const std::vector<double>& q, const Collis
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       if (!bodies_[b].counts() || (of_trunk && static_cast<int>(b) == floor_))
         continue;  // the base stands on the floor
+      if (of_trunk && along_ && bodies_[b].riding) continue;
       const double limit = tolerances.limit(part, static_cast<int>(b), query.margin);
       if (limit == Tolerances::kAnyDepth) continue;
       if (visit(part, static_cast<int>(b), true, limit)) return;
+    }
+  }
+  for (std::size_t i = 0; along_ && i < riding_.size() && query.parts == &all_parts_; ++i) {
+    if (!bodies_[static_cast<std::size_t>(riding_[i])].counts()) continue;
+    const int part = static_cast<int>(parts_.size()) + riding_[i];
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      if (!bodies_[b].counts() || bodies_[b].riding) continue;
+      if (visit(part, static_cast<int>(b), true, tolerances.limit(part, static_cast<int>(b), query.margin)))
+        return;
     }
   }
   if (!query.self) return;
@@ -55,7 +72,7 @@ bool CollisionChecker::collides(const std::vector<double>& q, const CollisionQue
   visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
     const auto& other =
         is_body ? bodies_[static_cast<std::size_t>(b)].shape : parts_[static_cast<std::size_t>(b)];
-    hit = nearer_than(parts_[static_cast<std::size_t>(a)], other, limit);
+    hit = nearer_than(shape_of(a), other, limit);
     return hit;
   });
   return hit;
@@ -66,7 +83,7 @@ std::string CollisionChecker::explain(const std::vector<double>& q, const Collis
   visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
     const auto& other =
         is_body ? bodies_[static_cast<std::size_t>(b)].shape : parts_[static_cast<std::size_t>(b)];
-    if (!nearer_than(parts_[static_cast<std::size_t>(a)], other, limit)) return false;
+    if (!nearer_than(shape_of(a), other, limit)) return false;
     text = part_name(a) + " touches " + (is_body ? bodies_[static_cast<std::size_t>(b)].name : part_name(b));
     return true;
   });
@@ -79,8 +96,7 @@ std::vector<std::string> CollisionChecker::touched_objects(const std::vector<dou
   visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
     if (!is_body) return false;
     const Body& other = bodies_[static_cast<std::size_t>(b)];
-    if (other.movable && !contains_name(names, other.name) &&
-        nearer_than(parts_[static_cast<std::size_t>(a)], other.shape, limit))
+    if (other.movable && !contains_name(names, other.name) && nearer_than(shape_of(a), other.shape, limit))
       names.push_back(other.name);
     return false;
   });
@@ -93,7 +109,7 @@ Tolerances CollisionChecker::baseline(const std::vector<double>& q, const Collis
   visit_contacts(q, query, [&](int a, int b, bool is_body, double limit) {
     const auto& other =
         is_body ? bodies_[static_cast<std::size_t>(b)].shape : parts_[static_cast<std::size_t>(b)];
-    const double distance = distance_between(parts_[static_cast<std::size_t>(a)], other, limit);
+    const double distance = distance_between(shape_of(a), other, limit);
     // 2 mm of slack: measured postures tremble, and GJK is exact to tenths of a millimetre only.
     if (distance < limit && distance >= least) out.allow(a, is_body ? b : -1 - b, distance - 0.002);
     return false;

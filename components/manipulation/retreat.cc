@@ -144,6 +144,7 @@ bool gets_out(Workbench& bench, const std::string& object, const Configuration& 
     out = !checker.collides(bench.with_arm(q, reach.arm, along[i]), query);
   const Configuration lifted = bench.with_arm(q, reach.arm, along.back());
   const auto slides = [&] {
+    const RidingAlong scope(bench.checker());
     for (const double direction : kDirections)
       if (bench.can_slide(lifted, direction, kSlides[1])) return true;
     return false;

@@ -48,7 +48,7 @@ class Search {
     const std::vector<std::size_t> chosen = options_.stand_only ? order_ : within_length(q, from, to);
     if (chosen.empty()) return std::nullopt;
     within_reach_ = true;
-    bench_.checker().ignore_riding(candidate.drives);
+    bench_.checker().ride_along(candidate.drives);
     candidate.in_the_way = candidate.drives && has_no_room(q, candidate.stand);
     if (candidate.in_the_way) return std::nullopt;
     has_room_ = true;
@@ -234,7 +234,7 @@ Expected<ReachSolution> search_stand(Workbench& bench, const std::vector<Reach>&
       if (bench.stopped()) return fail(Outcome::kCancelled, "cancelled while looking for a place to stand");
       if (search.exhausted()) break;
       auto solution = search.try_stand(stand, from, to);
-      bench.checker().ignore_riding(false);
+      bench.checker().ride_along(false);
       if (solution) return std::move(*solution);
       if (!std::exchange(pruned, true) && !search.any_hand_fits())
         return fail(Outcome::kMotionFailed, search.crowd());

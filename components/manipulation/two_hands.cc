@@ -124,9 +124,9 @@ Expected<TwoHandSolution> find_two_hands(Workbench& bench, std::size_t holder, c
   Search search(bench, holder, ways);
   for (const Place& place : places(bench)) {
     if (bench.stopped()) return fail(Outcome::kCancelled, "cancelled while looking how to hold it out");
-    bench.checker().ignore_riding(place.drives);
+    bench.checker().ride_along(place.drives);
     auto solution = search.at(place);
-    bench.checker().ignore_riding(false);
+    bench.checker().ride_along(false);
     if (solution) return std::move(*solution);
   }
   return fail(Outcome::kMotionFailed, "the two hands do not get at it together without touching something");

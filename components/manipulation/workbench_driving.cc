@@ -10,20 +10,10 @@ namespace {
 
 double wrap(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
-// While the base moves, what stands on its tray moves along.
-class WithoutRiding {
- public:
-  explicit WithoutRiding(CollisionChecker& checker) : checker_(checker) { checker_.ignore_riding(true); }
-  ~WithoutRiding() { checker_.ignore_riding(false); }
-
- private:
-  CollisionChecker& checker_;
-};
-
 }  // namespace
 
 Expected<JointTrajectory> Workbench::drive(const Stand& goal, int iterations) {
-  const WithoutRiding scope(checker_);
+  const RidingAlong scope(checker_);
   std::vector<int> joints{base_x_, base_y_, base_yaw_};
   if (lift_ >= 0) joints.push_back(lift_);
   const Stand here = stand_of(now_);
@@ -107,7 +97,7 @@ bool Workbench::can_slide(const Configuration& from, double direction, double di
 }
 
 Expected<JointTrajectory> Workbench::slide(double direction, double distance) {
-  const WithoutRiding scope(checker_);
+  const RidingAlong scope(checker_);
   if (!can_slide(now_, direction, distance))
     return fail(Outcome::kMotionFailed, "the base cannot move straight without the robot touching something");
   const std::vector<int> joints{base_x_, base_y_, base_yaw_};

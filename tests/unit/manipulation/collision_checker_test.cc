@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "components/manipulation/phases.h"
 #include "components/manipulation/workbench.h"
 
 namespace goalnet::manipulation {
@@ -45,6 +46,37 @@ TEST_F(KitchenBench, OpenDoorsAreInTheWay) {
   checker.pose_joint(view_, "FridgeRightDoor_joint", 1.6);
   checker.pose_joint(view_, "FridgeLeftDoor_joint", 1.2);
   EXPECT_TRUE(checker.collides(q, query));
+}
+
+TEST_F(KitchenBench, WhatStandsOnTheTrayMovesAlongWhenTheBaseDrives) {
+  auto& checker = bench_->checker();
+  const auto& tray = *bench_->model().tray;
+  const Pose frame = bench_->kinematics().forward(view_.robot, bench_->kinematics().link_index(tray.link));
+  Pose slot = frame;
+  slot.translation() = frame * tray.slots.front().position;
+  view_.objects["Mug_1"] = slot;
+  view_.objects["Spoon_1"] = moved(slot, {0, 0, 0.08});
+  view_.facts.insert({"In", "Spoon_1", "Mug_1"});
+  bench_->observe(view_);
+  EXPECT_TRUE(checker.rides("Mug_1"));
+  EXPECT_TRUE(checker.rides("Spoon_1")) << "what is in it moves along, too";
+  const CollisionQuery query{&checker.all_parts(), 0.01, nullptr, true};
+  // Backwards, so that the mast comes to where the mug stands now.
+  const Configuration back = at(slot.translation().x(), slot.translation().y(), 0);
+  EXPECT_TRUE(checker.collides(back, query)) << "it stays where it is unless the base drives";
+  {
+    const RidingAlong scope(checker);
+    EXPECT_EQ(checker.explain(back, query), "");
+  }
+  EXPECT_TRUE(checker.collides(back, query));
+  // Above the tray's edge where it comes to, so high that only the mug runs into it.
+  view_.objects["Coke_1"] =
+      moved(bench_->kinematics().forward(back, bench_->kinematics().link_index(tray.link)) *
+                Eigen::Translation3d(tray.slots.front().position),
+            {0, 0, 0.05});
+  bench_->observe(view_);
+  const RidingAlong scope(checker);
+  EXPECT_EQ(checker.explain(back, query), "Mug_1 touches Coke_1");
 }
 
 TEST_F(KitchenBench, TolerancesAllowOnlyWhatTheySay) {
