@@ -141,7 +141,12 @@ Expected<std::unique_ptr<Skill>> make_skill(const Workbench& bench, const Action
   if (!skill || action.name == "moveto") return skill;
   std::set<std::string> arguments(action.arguments.begin(), action.arguments.end());
   if (arguments.contains(kScoop)) arguments.insert(kSpoon);
-  return Expected<std::unique_ptr<Skill>>(std::make_unique<RoomSkill>(std::move(*skill), arguments));
+  const auto again = [action](const Workbench& b) {
+    auto anew = make_plain_skill(b, action);
+    return anew ? std::move(*anew) : nullptr;
+  };
+  return Expected<std::unique_ptr<Skill>>(
+      std::make_unique<RoomSkill>(std::move(*skill), arguments, 0, again));
 }
 
 }  // namespace goalnet::manipulation

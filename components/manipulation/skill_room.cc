@@ -18,8 +18,8 @@ std::optional<std::string> may_be_put_down(const Workbench& bench, const std::se
 
 }  // namespace
 
-RoomSkill::RoomSkill(std::unique_ptr<Skill> doing, std::set<std::string> staying, int nested)
-    : doing_(std::move(doing)), staying_(std::move(staying)), nested_(nested) {}
+RoomSkill::RoomSkill(std::unique_ptr<Skill> doing, std::set<std::string> staying, int nested, Maker again)
+    : doing_(std::move(doing)), staying_(std::move(staying)), nested_(nested), again_(std::move(again)) {}
 
 void RoomSkill::begin_moving(const Workbench& bench, const InTheWay& what) {
   aside_ = what.things.front();
@@ -41,6 +41,21 @@ void RoomSkill::begin_putting_down(const std::string& thing, const std::optional
                                       what ? std::optional(what->place) : std::nullopt);
   moving_ = Moving::kPuts;
   ++moved_;
+}
+
+// What a hand holds that the action does not need, and without which it finds a way.
+std::optional<std::string> RoomSkill::hindering(Workbench& bench) const {
+  for (std::size_t arm = 0; again_ && arm < bench.arm_count(); ++arm) {
+    const auto held = bench.held()[arm];
+    if (!held || staying_.contains(held->name)) continue;
+    bench.suppose_put_down(arm);
+    const auto skill = again_(bench);
+    const bool works = skill && skill->attempt(bench, 0).has_value();
+    bench.end_supposition();
+    if (works) return held->name;
+    if (bench.stopped()) break;
+  }
+  return std::nullopt;
 }
 
 // Empty: moved, or it cannot be.
@@ -70,8 +85,12 @@ Expected<Phases> RoomSkill::attempt(Workbench& bench, int number) {
     auto phases = doing_->attempt(bench, failed_attempts_);
     if (phases || phases.error().outcome != Outcome::kMotionFailed) return phases;
     const auto what = bench.in_the_way();
-    if (!(what || bench.wants_hand()) || moved_ >= kMostMoved || nested_ >= kMostNested) return phases;
-    if (has_free_hand(bench)) {
+    if (moved_ >= kMostMoved || nested_ >= kMostNested || bench.stopped()) return phases;
+    if (!what && !bench.wants_hand()) {
+      const auto thing = hindering(bench);
+      if (!thing) return phases;
+      begin_putting_down(*thing, std::nullopt);
+    } else if (has_free_hand(bench)) {
       if (!what) return phases;
       begin_moving(bench, *what);
     } else {

@@ -1,6 +1,7 @@
 // The skills of the household domain. Each class is one way of using the hands; make_skill chooses.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,12 +15,14 @@ namespace goalnet::manipulation {
 
 // Does another skill. Where that finds no way because of things that stand about, a free hand puts them aside
 // first, one after the other, and it is tried again; if no hand is free, one puts down first what the action
-// does not need.
+// does not need, and also if there is a way only without what that hand holds.
 class RoomSkill : public Skill {
  public:
+  using Maker = std::function<std::unique_ptr<Skill>(const Workbench&)>;
   // `staying`: what must not be moved for it, the action's own arguments above all. `nested`: how many things
-  // are being moved for something else already.
-  RoomSkill(std::unique_ptr<Skill> doing, std::set<std::string> staying, int nested = 0);
+  // are being moved for something else already. `again`: makes the skill anew, to try it in thought; may be
+  // empty.
+  RoomSkill(std::unique_ptr<Skill> doing, std::set<std::string> staying, int nested = 0, Maker again = {});
   Expected<Phases> attempt(Workbench& bench, int number) override;
   bool unfinished() const override { return moving_ != Moving::kNot || doing_->unfinished(); }
 
@@ -27,11 +30,13 @@ class RoomSkill : public Skill {
   enum class Moving { kNot, kTakes, kPuts };
   void begin_moving(const Workbench& bench, const InTheWay& what);
   void begin_putting_down(const std::string& thing, const std::optional<InTheWay>& what);
+  std::optional<std::string> hindering(Workbench& bench) const;
   Expected<Phases> move(Workbench& bench, int number);
 
   std::unique_ptr<Skill> doing_;
   std::set<std::string> staying_;
   int nested_;
+  Maker again_;
   Moving moving_ = Moving::kNot;
   std::string aside_;  // what is moved, or was
   std::unique_ptr<Skill> take_, put_;

@@ -89,19 +89,32 @@ void Workbench::set_held(std::size_t arm, const std::optional<std::string>& obje
 }
 
 void Workbench::suppose_grip(std::size_t arm, const Pose& object_in_tool) {
-  as_perceived_ = held_;
+  before_.push_back({held_, false});
   held_[arm]->object_in_tool = object_in_tool;
   checker_.update(world_, held_);
 }
 
 void Workbench::suppose_held(std::size_t arm, const std::string& object, const Pose& object_in_tool) {
-  as_perceived_ = held_;
+  before_.push_back({held_, false});
   held_[arm] = HeldObject{object, object_in_tool};
   checker_.update(world_, held_);
 }
 
+void Workbench::suppose_put_down(std::size_t arm) {
+  before_.push_back({held_, true});
+  std::vector<std::string> gone{held_[arm]->name};
+  for (const Predicate& fact : world_.facts)
+    if ((fact.relation == "In" || fact.relation == "On") && fact.object == gone.front())
+      gone.push_back(fact.subject);
+  checker_.leave_out(gone);
+  held_[arm].reset();
+  checker_.update(world_, held_);
+}
+
 void Workbench::end_supposition() {
-  held_ = std::exchange(as_perceived_, {});
+  if (before_.back().leaves_out) checker_.leave_out({});
+  held_ = std::move(before_.back().held);
+  before_.pop_back();
   checker_.update(world_, held_);
 }
 

@@ -73,11 +73,13 @@ class Workbench {
   // Supposes that an arm holds what it holds in another way, until the end of the supposition; searches in
   // vain give up ten times as soon meanwhile.
   void suppose_grip(std::size_t arm, const Pose& object_in_tool);
-  // Supposes, in a search that goes on, that an arm has closed on a thing. Not while something else is
-  // supposed.
+  // Supposes, in a search that goes on, that an arm has closed on a thing.
   void suppose_held(std::size_t arm, const std::string& object, const Pose& object_in_tool);
+  // Supposes that what an arm holds, and what is in or on that, has been put down out of the way.
+  void suppose_put_down(std::size_t arm);
+  // Ends the last of them: one may be made within another.
   void end_supposition();
-  bool supposes() const { return !as_perceived_.empty(); }
+  bool supposes() const { return !before_.empty(); }
 
   // Positions that were last commanded; the runner reports the end of every motion. Empty: as measured.
   void set_command(const std::vector<std::string>& joints, const std::vector<double>& positions);
@@ -178,8 +180,12 @@ class Workbench {
   Configuration now_;
   Configuration command_;
   std::vector<std::optional<HeldObject>> held_;
-  std::vector<std::optional<HeldObject>> as_perceived_;  // held_ while something else is supposed; else empty
-  std::vector<std::optional<ArmPositions>> carry_;       // posture in which each arm was last tucked
+  struct Before {
+    std::vector<std::optional<HeldObject>> held;
+    bool leaves_out;  // things, in the checker
+  };
+  std::vector<Before> before_;                      // each supposition that goes on
+  std::vector<std::optional<ArmPositions>> carry_;  // posture in which each arm was last tucked
   std::vector<DeadEnd> dead_ends_;
   TriedWays tried_;
   std::vector<bool> hindered_;  // by arm
