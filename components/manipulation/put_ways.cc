@@ -119,13 +119,25 @@ void stand_in(std::vector<PutWay>& ways, const scene::ObjectModel& model, const 
   }
 }
 
-// Along a slot: x along its x, either way round.
-void slide(std::vector<PutWay>& ways, const Pose& mouth, const scene::Cavity& cavity) {
-  for (const double turn : {0.0, std::numbers::pi}) {
-    Pose end = mouth;
-    end.linear() = mouth.linear() * AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix();
-    end.translation() -= mouth.linear().col(2) * (cavity.depth - 0.002);
-    add_descent(ways, end, 0.0, 0.0005, cavity.depth + 0.03);
+// Along a slot: the thing's thickness (y) across it, either way round; upright, or, because a hand holds its
+// foot, with another of its edges down.
+void slide(std::vector<PutWay>& ways, const scene::ObjectModel& model, const Pose& mouth,
+           const scene::Cavity& cavity) {
+  const auto box = scene::bounds(model.shapes);
+  const Vector3d middle = 0.5 * (box.lower + box.upper), size = box.upper - box.lower;
+  for (const int quarters : {0, 2, 1, 3}) {
+    const bool lies = quarters % 2 == 1;
+    if ((lies ? size.z() : size.x()) > 2 * cavity.radius) continue;
+    Pose turn = Pose::Identity();
+    if (quarters != 0) {
+      turn.linear() = AngleAxisd(quarters * std::numbers::pi / 2, Vector3d::UnitY()).toRotationMatrix();
+      turn.translation() = Vector3d(0, 0, (lies ? size.x() : size.z()) / 2) - turn.linear() * middle;
+    }
+    for (const double heading : {0.0, std::numbers::pi}) {
+      const Pose end = mouth * Eigen::Translation3d(0, 0, 0.002 - cavity.depth) *
+                       AngleAxisd(heading, Vector3d::UnitZ()) * turn;
+      add_descent(ways, end, 0.5 * (quarters > 0) + 0.5 * lies, 0.0005, cavity.depth + 0.03);
+    }
   }
 }
 
@@ -144,7 +156,7 @@ Expected<std::vector<PutWay>> put_ways(const Workbench& bench, const std::string
     return fail(Outcome::kNoPlan, object + " does not fit through the opening of " + receiver);
   std::vector<PutWay> ways;
   if (cavity.slot) {
-    slide(ways, mouth, cavity);
+    slide(ways, *model, mouth, cavity);
   } else if (model->has_property("IsPlacable")) {
     stand_in(ways, *model, mouth, cavity);
   } else if (cavity.shallow()) {
