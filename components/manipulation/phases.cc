@@ -120,13 +120,13 @@ void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solu
   phases.push_back(drive);
 }
 
-void add_approach(Phases& phases, const ReachSolution& solution, const Reach& reach) {
+void add_approach(Phases& phases, const ReachSolution& solution, const Reach& reach, int iterations) {
   Phase phase;
   phase.stage = "approach";
   phase.plan = [goal = solution.along.front(), lift = solution.stand.lift, arm = reach.arm,
-                opening = reach.opening](Workbench& b) -> Expected<JointTrajectory> {
+                opening = reach.opening, iterations](Workbench& b) -> Expected<JointTrajectory> {
     const bool holds = b.held()[arm].has_value();
-    auto motion = b.move_arm(arm, goal, lift, holds ? 0.0 : opening);
+    auto motion = b.move_arm(arm, goal, lift, holds ? 0.0 : opening, iterations);
     if (!motion) b.note_dead_end({b.stand_of(b.now()), arm, goal});
     if (!motion || holds) return motion;
     return merge(*motion, b.move_fingers(arm, opening));
@@ -134,10 +134,11 @@ void add_approach(Phases& phases, const ReachSolution& solution, const Reach& re
   phases.push_back(phase);
 }
 
-void add_way(Phases& phases, const Workbench& bench, const ReachSolution& solution, const Reach& reach) {
+void add_way(Phases& phases, const Workbench& bench, const ReachSolution& solution, const Reach& reach,
+             int iterations) {
   add_back_off(phases, bench);
   add_go_to(phases, bench, solution);
-  add_approach(phases, solution, reach);
+  add_approach(phases, solution, reach, iterations);
 }
 
 namespace {
@@ -179,7 +180,7 @@ Expected<Reach> add_way_there(Phases& phases, Workbench& bench, const std::vecto
   if (!solution) return fail(solution.error().outcome, what + ": " + solution.error().message);
   const Reach& reach = reaches[solution->reach];
   if (!bench.supposes()) bench.tried().add(as_try(bench, reach, what, about));
-  add_way(phases, bench, *solution, reach);
+  add_way(phases, bench, *solution, reach, options.iterations);
   return reach;
 }
 

@@ -15,10 +15,12 @@ void add_back_off(Phases& phases, const Workbench& bench);
 void add_go_to(Phases& phases, const Workbench& bench, const ReachSolution& solution);
 
 // The free motion to where the straight lines begin; the fingers open meanwhile if the hand is empty.
-void add_approach(Phases& phases, const ReachSolution& solution, const Reach& reach);
+void add_approach(Phases& phases, const ReachSolution& solution, const Reach& reach,
+                  int iterations = PlannerLimits{}.iterations);
 
 // All of that: back off, go to where the solution stands, approach.
-void add_way(Phases& phases, const Workbench& bench, const ReachSolution& solution, const Reach& reach);
+void add_way(Phases& phases, const Workbench& bench, const ReachSolution& solution, const Reach& reach,
+             int iterations = PlannerLimits{}.iterations);
 
 // Finds where to stand and which of `reaches` to take, rather one that was not tried in vain before, adds the
 // way there, and returns the one taken. Errors are find_stand's, introduced by `what`. `about`: the movable

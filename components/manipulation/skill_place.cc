@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kOtherEnd = 1'000'000;  // added to tags
 constexpr double kStepBack = 0.35;            // [m]
+constexpr int kFirstLook = 1'000;             // iterations for a way onto the tray before stepping back
 constexpr double kSmall = 0.30;       // [m] wide: a burner, where nothing is put that has to go somewhere
 constexpr double kClear = 0.30;       // [m] around a place that is to be kept clear
 constexpr double kElsewhere = 30.0;   // [s] rather aside in the same place than somewhere else
@@ -252,6 +253,8 @@ Expected<Phases> PlaceSkill::use(Workbench& bench, std::size_t arm) {
   options.may_drive = where_ != Where::kTray;
   options.backwards = where_ == Where::kTray;
   options.looks_for_obstacles = false;  // spots that are taken are not among these ways
+  // Onto the tray from between boards there is none; two steps back it is found soon.
+  if (where_ == Where::kTray && !stepped_back_) options.iterations = kFirstLook;
   Phases phases;
   const StandSearchOptions anyhow = options;
   options.accept = [&](const Configuration& start, const Reach& reach, const auto& along) {

@@ -7,6 +7,9 @@
 namespace goalnet::manipulation {
 namespace {
 
+constexpr double kElsewhere = 0.5;         // [m] from all other targets
+constexpr std::size_t kMostElsewhere = 3;  // such targets
+
 double wrap(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 }  // namespace
@@ -49,6 +52,15 @@ std::vector<StandCandidate> stand_candidates(const Workbench& bench, const std::
       return t.side == side && (t.point - point).norm() < 0.12;
     });
     if (!known && targets.size() < 6) targets.push_back({point, side, reach.preference});
+  }
+  // Where those are all around one spot, say the rim of one bin however that is turned, others as well.
+  const std::size_t near = targets.size();
+  for (const auto& reach : reaches) {
+    const Eigen::Vector3d point = reach.tool.back().translation();
+    const bool known = std::any_of(targets.begin(), targets.end(),
+                                   [&](const Target& t) { return (t.point - point).norm() < kElsewhere; });
+    if (!known && targets.size() < near + kMostElsewhere)
+      targets.push_back({point, bench.shoulder_side(reach.arm), reach.preference});
   }
   for (const auto& target : targets) {
     for (int turn = 0; turn < 24; ++turn) {

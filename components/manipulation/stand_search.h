@@ -37,6 +37,7 @@ struct StandSearchOptions {
   std::function<bool(const Configuration& start, const Reach&, const std::vector<ArmPositions>&)> accept;
   std::size_t most_reaches = 60;   // per stand
   std::size_t most_tries = 6'000;  // in all: bounds the time of a search in vain (about 0.1 ms each)
+  int iterations = PlannerLimits{}.iterations;  // of the free motion from the stand to the first pose
 };
 
 // Looks at the present stand first, then at others by how soon they are reached; hindered arms only if no
