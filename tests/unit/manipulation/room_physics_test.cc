@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "components/manipulation/phases.h"
+#include "components/manipulation/put_ways.h"
 #include "tests/unit/manipulation/physics_room.h"
 
 namespace goalnet::manipulation {
@@ -88,6 +89,43 @@ TEST_F(UntidyKitchen, AFallenMugIsPutUprightBeforeASpoonGoesIn) {
   expect_done({"place-utensil", {"Spoon_1", "Mug_1"}});
   EXPECT_TRUE(harness_->facts().contains({"In", "Spoon_1", "Mug_1"}));
   EXPECT_LT(tilt("Mug_1"), 0.1);
+}
+
+// With a bowl in the other hand no place before the open microwave leaves room for its door to swing.
+TEST_F(UntidyKitchen, WhatHindersClosingADoorIsPutDownFirst) {
+  for (const char* step : {"moveto", "open"}) expect_done({step, {"Microwave"}});
+  for (const char* step : {"moveto", "grasp"}) expect_done({step, {"Bowl_1"}});
+  expect_done({"moveto", {"Microwave"}});
+  expect_done({"close", {"Microwave"}});
+  EXPECT_FALSE(harness_->facts().contains({"state", "Microwave", "DoorIsOpen"}));
+  EXPECT_TRUE(harness_->facts().contains({"On", "Bowl_1", "Counter_1"}));
+}
+
+class TidyLivingRoom : public PhysicsRoom {
+ protected:
+  TidyLivingRoom() : PhysicsRoom("living_room", 0.5) {}
+};
+
+TEST_F(TidyLivingRoom, DrivesOnWithCushionsOnTheTrayAndInAHand) {
+  for (const char* cushion : {"Pillow_1", "Pillow_4"})
+    for (const char* step : {"moveto", "grasp"}) expect_done({step, {cushion}});
+  expect_done({"moveto", {"Pillow_2"}});
+  expect_done({"stow", {"Pillow_4"}});
+  for (const char* step : {"moveto", "grasp"}) expect_done({step, {"Pillow_2"}});
+  for (const char* cushion : {"Pillow_1", "Pillow_2", "Pillow_4"})
+    EXPECT_TRUE(harness_->facts().contains({"Grasping", "Robot", cushion})) << cushion;
+}
+
+// Held by its foot, so that the hand would come into the slot before it.
+TEST_F(TidyLivingRoom, ADiscGoesIntoTheSlotWithAnyOfItsEdgesDown) {
+  const auto ways = put_ways(harness_->bench(), "Cd_1", "Xbox_1", pose("Xbox_1"));
+  ASSERT_TRUE(ways) << ways.error().message;
+  for (const Eigen::Vector3d& up : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1),
+                                    Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0)}) {
+    EXPECT_TRUE(std::ranges::any_of(*ways, [&](const PutWay& way) {
+      return (way.object.back().linear() * up).z() > 0.9;
+    })) << up.transpose();
+  }
 }
 
 }  // namespace
