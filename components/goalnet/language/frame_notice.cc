@@ -8,17 +8,6 @@ namespace goalnet::inference {
 
 using namespace symbol;
 
-// "I want to sit in armchair 2, get the pillow out of the way": the one that is there.
-void FrameActions::prefer_there(const Clause& clause, const NounPhrase& phrase, Objects& options) const {
-  const bool away = clause.has_particle("away") || clause.has_particle("aside") || clause.has("way");
-  if (!at_home_ || !away || phrase.role != Role::kDirect || !phrase.at.empty() || phrase.number > 0 ||
-      phrase.ordinal > 0 || last_destination_.empty())
-    return;
-  std::stable_partition(options.begin(), options.end(), [&](Symbol object) {
-    return contains(last_destination_, resolver_.place_of(object, now_));
-  });
-}
-
 void FrameActions::notice(const Clause& clause) {
   Objects together;  // "the coke, the beer and the chips: all on the table"
   int told = 0;

@@ -2,21 +2,21 @@
 #include <algorithm>
 #include <array>
 
-#include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/frame_context.h"
 #include "components/goalnet/language/symbol_list.h"
 
 namespace goalnet::inference {
 
 using namespace symbol;
 
-void FrameActions::remember(const Objects& objects) {
+void FrameContext::remember(const Objects& objects) {
   if (objects.empty()) return;
   history_.push_back(objects);
   resolver_.remember(objects);
 }
 
 // What "it" and "them" mean: the newest things spoken of that are of the sort.
-FrameActions::Objects FrameActions::pronoun(const NounPhrase& phrase, Sort sort,
+FrameContext::Objects FrameContext::pronoun(const NounPhrase& phrase, Sort sort,
                                             const Objects& not_these) const {
   const auto fitting = [&](const Objects& from) {
     Objects result;
@@ -50,7 +50,7 @@ FrameActions::Objects FrameActions::pronoun(const NounPhrase& phrase, Sort sort,
   return found;
 }
 
-FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort sort, const Clause& clause) {
+FrameContext::Objects FrameContext::objects_of(const NounPhrase& phrase, Sort sort, const Clause& clause) {
   if (phrase.pronoun) {
     Objects meant = pronoun(phrase, sort, {});
     // "remove it from the microwave": what is there, where nothing was spoken of
@@ -111,7 +111,7 @@ FrameActions::Objects FrameActions::objects_of(const NounPhrase& phrase, Sort so
 }
 
 // "The book that is on the table" where none is: another one is no answer.
-bool FrameActions::misplaced(const Clause& clause, const NounPhrase& phrase, const Objects& options) {
+bool FrameContext::misplaced(const Clause& clause, const NounPhrase& phrase, const Objects& options) {
   static constexpr std::array kMoves = {Frame::kTake,    Frame::kPlace,  Frame::kBring,
                                         Frame::kDiscard, Frame::kInsert, Frame::kSwap};
   elsewhere_.clear();
@@ -130,7 +130,7 @@ bool FrameActions::misplaced(const Clause& clause, const NounPhrase& phrase, con
   return true;
 }
 
-FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role, Sort sort,
+FrameContext::Objects FrameContext::role_objects(const Clause& clause, Role role, Sort sort,
                                                  Problem& problem) {
   Objects objects;
   for (const NounPhrase& phrase : clause.phrases) {
@@ -146,7 +146,7 @@ FrameActions::Objects FrameActions::role_objects(const Clause& clause, Role role
   return objects;
 }
 
-NounPhrase FrameActions::unsaid() const {
+NounPhrase FrameContext::unsaid() const {
   NounPhrase what = it();
   const auto held = std::count_if(now_.facts().begin(), now_.facts().end(),
                                   [](SymFact fact) { return relation_of(fact) == Relation::kGrasping; });
@@ -154,7 +154,7 @@ NounPhrase FrameActions::unsaid() const {
   return what;
 }
 
-FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Problem& problem) {
+FrameContext::Objects FrameContext::direct(const Clause& clause, Sort sort, Problem& problem) {
   Objects objects = role_objects(clause, Role::kDirect, sort, problem);
   // "bring the pot to the sink and fill with water": a cook's notes leave "it" out
   static constexpr std::array kWithoutIt = {Frame::kFill,  Frame::kWash, Frame::kHeat, Frame::kBoil,
@@ -181,7 +181,7 @@ FrameActions::Objects FrameActions::direct(const Clause& clause, Sort sort, Prob
 
 // Where things go: as many places as there are things when people say "each", otherwise one; a free one where
 // several are equal.
-FrameActions::Objects FrameActions::places(const NounPhrase& phrase, const Objects& for_these,
+FrameContext::Objects FrameContext::places(const NounPhrase& phrase, const Objects& for_these,
                                            std::size_t wanted, Problem& problem) {
   if (phrase.pronoun) {
     Objects there = pronoun(phrase, Sort::kPlace, for_these);

@@ -1,7 +1,7 @@
 // What is told when a thing is not here or is nothing to do that with.
 #include <algorithm>
 
-#include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/frame_context.h"
 
 namespace goalnet::inference {
 
@@ -13,7 +13,7 @@ constexpr int kMostExamples = 5;
 
 }  // namespace
 
-std::string FrameActions::unknown_thing(const NounPhrase& phrase, Sort sort) const {
+std::string FrameContext::unknown_thing(const NounPhrase& phrase, Sort sort) const {
   if (phrase.pronoun)
     return "it is not clear what \"" + (phrase.word.empty() ? "it" : phrase.word) + "\" means here";
   if (phrase.unknown) return unknown_name(phrase.word);
@@ -59,14 +59,14 @@ std::string FrameActions::unknown_thing(const NounPhrase& phrase, Sort sort) con
                   (examples.empty() ? "" : "; there are, for example, " + examples));
 }
 
-std::string FrameActions::not_here(Problem problem) const {
+std::string FrameContext::not_here(Problem problem) const {
   missing_ = problem;
   return problem;
 }
 
 // A name that no thing of any world has. Of an English word it is known what kind of thing that would be:
 // milk is a drink, so the drinks that are here are told; of others the nearest in spelling.
-std::string FrameActions::unknown_name(const std::string& word) const {
+std::string FrameContext::unknown_name(const std::string& word) const {
   const std::string kind = language_.kind_of(word);
   if (kind.empty()) return not_here(language_.unknown_word(word));
   std::string examples;

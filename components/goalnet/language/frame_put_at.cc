@@ -90,8 +90,7 @@ std::string FrameActions::put_with(const NounPhrase& with, Symbol object, Where 
 std::optional<std::string> FrameActions::put_content(const Clause& clause, const NounPhrase& thing,
                                                      const NounPhrase& destination, const Objects& vessels) {
   const Symbol content = thing.pronoun ? Symbol{kNone} : language_.content(thing.phrase);
-  const bool into_dish =
-      !vessels.empty() && (resolver_.is_vessel(vessels.front()) || resolver_.class_of(vessels.front())->dish);
+  const bool into_dish = !vessels.empty() && is_vessel_or_dish(vessels.front());
   const bool inside = destination.where != Where::kOn && destination.where != Where::kNear;
   if (at_home_ && destination.where == Where::kNear) return std::nullopt;  // "salt goes next to the kettle"
   if (content != kNone && into_dish && thing.content.empty()) {
@@ -104,9 +103,8 @@ std::optional<std::string> FrameActions::put_content(const Clause& clause, const
     if (content == kWater || content == kCoffee) return pour(clause);
     if (content == kIceCream) return scoop(clause);
     // "serve coke in a glass": a can does not go into a glass, what it holds does
-    const bool drink = content == kCoke || content == kEnergyDrink || content == kCanadaDry;
-    if (drink && inside) return pour(clause);
-    if (at_home_ && drink && clause.first(Role::kSource) != nullptr) return pour(clause);
+    if (is_canned_drink(content) && inside) return pour(clause);
+    if (at_home_ && is_canned_drink(content) && clause.first(Role::kSource) != nullptr) return pour(clause);
     if (content == kSalt || content == kChocolate || content == kVanilla || content == kRamen ||
         content == kEgg || thing.some) {
       Clause only = clause;
@@ -135,30 +133,9 @@ std::optional<std::string> FrameActions::put_content(const Clause& clause, const
 std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
                                  const NounPhrase& destination) {
   Problem problem;
-  Objects targets;
   Where where = destination.where;
-  if (where == Where::kNear) {
-    // beside a thing: on what it stands on; beside a fixture: on the counter
-    Objects beside = destination.pronoun ? pronoun(destination, Sort::kAny, objects) : Objects{};
-    if (!destination.pronoun && !destination.bare())
-      beside = resolver_.options(destination, Sort::kAny, now_);
-    std::erase_if(beside, [&](Symbol object) { return contains(objects, object); });
-    if (beside.empty()) return unknown_thing(destination, Sort::kAny);
-    Symbol support = resolver_.place_of(beside.front(), now_);
-    const bool fixture = beside.front() == kSink || beside.front() == kSinkKnob || beside.front() == kStove ||
-                         beside.front() == kMicrowave || beside.front() == kFridge;
-    if (support == kNone && beside.front() == kTv_1)  // it hangs between shelves
-      for (const SeenObject& object : resolver_.objects())
-        if (support == kNone && resolver_.is_of_class(object.symbol, "shelf")) support = object.symbol;
-    if (support == kNone && (fixture || now_.has(Relation::kIsGraspable, beside.front())))
-      support = surface();
-    if (support == kNone)
-      return "there is nothing beside " + resolver_.name(beside.front()) + " to put things on";
-    targets = {support};
-    where = now_.has(Relation::kIn, beside.front(), support) ? Where::kIn : Where::kOn;
-  } else {
-    targets = places(destination, objects, objects.size(), problem);
-  }
+  const Objects targets = where == Where::kNear ? beside(destination, objects, where, problem)
+                                                : places(destination, objects, objects.size(), problem);
   if (!problem.empty()) return problem;
   if (where == Where::kUnder && targets.front() != kSink)
     return "things cannot be put under " + resolver_.name(targets.front());
@@ -181,26 +158,46 @@ std::string FrameActions::put_at(const Clause& clause, const Objects& objects,
       // several things, one burner each
       if (objects.size() > 1 && resolver_.is_of_class(target, "burner")) target = burner_for(object);
     }
-    if (object == kSalt_1 && (resolver_.is_vessel(target) || resolver_.class_of(target)->dish)) {
-      if (problem = act({Verb::kAdd, object, target}); !problem.empty()) return problem;
-      continue;
-    }
-    if (now_.has(Relation::kIsSqueezeable, object) &&
-        (resolver_.is_vessel(target) || resolver_.class_of(target)->dish)) {
-      if (problem = act({Verb::kSqueeze, object, target}); !problem.empty()) return problem;
-      continue;
-    }
-    // "take the ice cream and put it on top of the coffee"
-    const bool served = at_home_ && object == resolver_.ice_cream() &&
-                        (resolver_.is_vessel(target) || resolver_.class_of(target)->dish);
-    if (problem = served ? scoop_into(target, 1) : keep(object, target, where); !problem.empty())
-      return problem;
+    if (problem = put_one(object, target, where); !problem.empty()) return problem;
   }
   last_destination_ = {targets.front()};
   resolver_.remember(targets.size() > 1 && !destination.all ? Objects{targets.front()}
                                                             : targets);  // "the other couch"
   history_.insert(history_.end() - static_cast<long>(history_.empty() ? 0 : 1), last_destination_);
   return {};
+}
+
+// Salt is shaken and syrup squeezed into what takes it, of ice cream a scoop is put there.
+std::string FrameActions::put_one(Symbol object, Symbol target, Where where) {
+  const bool holder = is_vessel_or_dish(target);
+  if (object == kSalt_1 && holder) return act({Verb::kAdd, object, target});
+  if (now_.has(Relation::kIsSqueezeable, object) && holder) return act({Verb::kSqueeze, object, target});
+  // "take the ice cream and put it on top of the coffee"
+  if (at_home_ && object == resolver_.ice_cream() && holder) return scoop_into(target, 1);
+  return keep(object, target, where);
+}
+
+// Beside a thing: on what it stands on (`where`: or in it); beside a fixture: on the counter.
+FrameActions::Objects FrameActions::beside(const NounPhrase& destination, const Objects& objects,
+                                           Where& where, Problem& problem) {
+  Objects neighbours = destination.pronoun ? pronoun(destination, Sort::kAny, objects) : Objects{};
+  if (!destination.pronoun && !destination.bare())
+    neighbours = resolver_.options(destination, Sort::kAny, now_);
+  std::erase_if(neighbours, [&](Symbol object) { return contains(objects, object); });
+  if (neighbours.empty()) {
+    problem = unknown_thing(destination, Sort::kAny);
+    return {};
+  }
+  const Symbol neighbour = neighbours.front();
+  Symbol support = resolver_.place_of(neighbour, now_);
+  const bool fixture = neighbour == kSink || neighbour == kSinkKnob || neighbour == kStove ||
+                       neighbour == kMicrowave || neighbour == kFridge;
+  if (support == kNone && neighbour == kTv_1) support = first_of_class("shelf");  // it hangs between shelves
+  if (support == kNone && (fixture || now_.has(Relation::kIsGraspable, neighbour))) support = surface();
+  if (support == kNone)
+    problem = "there is nothing beside " + resolver_.name(neighbour) + " to put things on";
+  where = now_.has(Relation::kIn, neighbour, support) ? Where::kIn : Where::kOn;
+  return {support};
 }
 
 }  // namespace goalnet::inference

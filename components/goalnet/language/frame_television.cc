@@ -3,6 +3,7 @@
 #include <array>
 
 #include "components/goalnet/language/frame_actions.h"
+#include "components/goalnet/language/symbol_list.h"
 
 namespace goalnet::inference {
 
@@ -57,28 +58,13 @@ const NounPhrase* FrameActions::channel_of_television(const Clause& clause) cons
 std::string FrameActions::television(const Clause& clause) {
   if (!resolver_.exists(kTv_1)) return not_here("there is no television here");
   const bool by_state = language_.wanted_by_state(clause.verb) != Frame::kNone;  // "make the book louder"
-  const std::string verb = (by_state ? "make " : "") + clause.verb;
-  if (!about_television(clause)) return "it is not clear what to " + verb;
+  const bool other_things = std::ranges::any_of(
+      clause.phrases, [&](const NounPhrase& phrase) { return is_not_of_television(phrase); });
+  if (!about_television(clause) || other_things)  // "mute the pillow"
+    return "it is not clear what to " + (by_state ? "make " + clause.verb : clause.verb);
   const bool down = clause.has("down") || clause.has("previous") || clause.has("lower") ||
                     clause.has("back") || clause.has("last") || clause.has("before") ||
                     clause.frame == Frame::kLower;
-  bool other_things = false;  // "mute the pillow"
-  int channel = 0, steps = 1;
-  int avoided = 0;  // "any channel except three"
-  for (const NounPhrase& phrase : clause.phrases) {
-    if (at_home_ && phrase.role == Role::kExcept) {
-      avoided = phrase.number;
-      continue;
-    }
-    if (phrase.phrase == "channel" && phrase.count > 0 && phrase.number == 0) steps = phrase.count;
-    channel = std::max({channel, phrase.number, phrase.ordinal, phrase.pronoun ? phrase.count : 0});
-    if (phrase.phrase.empty() || language_.tv_word(phrase.phrase)) continue;
-    const auto named = resolver_.named(phrase);
-    other_things =
-        other_things || (std::find(named.begin(), named.end(), Symbol{kTv_1}) == named.end() &&
-                         std::find(named.begin(), named.end(), Symbol{kTv_1Remote_1}) == named.end());
-  }
-  if (other_things) return "it is not clear what to " + verb;
   const bool channels = clause.has("channel") || clause.frame == Frame::kChange;
   const bool quiet = down || clause.frame == Frame::kMute || clause.has_particle("off");
   if (!channels && quiet && !is_on(kTv_1)) {  // it is silent already
@@ -88,31 +74,50 @@ std::string FrameActions::television(const Clause& clause) {
   }
   if (const Problem problem = turn_on(kTv_1, true, 0); !problem.empty()) return problem;
   remember({Symbol{kTv_1}});
-  if (channels) {
-    int now = 0;
-    for (int i = 1; i <= kChannels; ++i)
-      if (now_.is(kTv_1, static_cast<Symbol>(kChannel1 + i - 1))) now = i;
-    if (now == 0) return "it is not known which channel is on";
-    if (channel > kChannels) {
-      no_such_number_ = true;
-      return "there is no channel " + std::to_string(channel) + "; there are channels 1 to " +
-             std::to_string(kChannels);
-    }
-    if (avoided > 0 && channel == 0 && now != avoided) return {};
-    const int by = (steps % kChannels) * (down ? kChannels - 1 : 1);
-    const int target = channel > 0 ? channel : (now - 1 + by) % kChannels + 1;
-    const bool up = (target - now + kChannels) % kChannels <= kChannels / 2;
-    for (; now != target; now = (now - 1 + (up ? 1 : kChannels - 1)) % kChannels + 1)
-      if (const Problem problem =
-              act({Verb::kPress, up ? Symbol{kTv_1ChannelUpButton} : Symbol{kTv_1ChannelDownButton}});
-          !problem.empty())
-        return problem;
-    if (at_home_ && (silent_ || clause.frame == Frame::kMute) && now_.is(kTv_1, kVolume))
-      return act({Verb::kPress, Symbol{kTv_1VolumeDownButton}});
-    return {};
-  }
+  if (channels) return press_to_channel(clause, down);
   if (now_.is(kTv_1, kVolume) != quiet) return {};
   return act({Verb::kPress, quiet ? Symbol{kTv_1VolumeDownButton} : Symbol{kTv_1VolumeUpButton}});
+}
+
+bool FrameActions::is_not_of_television(const NounPhrase& phrase) const {
+  if ((at_home_ && phrase.role == Role::kExcept) || phrase.phrase.empty() || language_.tv_word(phrase.phrase))
+    return false;
+  const auto named = resolver_.named(phrase);
+  return !contains(named, kTv_1) && !contains(named, kTv_1Remote_1);
+}
+
+// "channel 5", "two channels down", "any channel except three"
+std::string FrameActions::press_to_channel(const Clause& clause, bool down) {
+  int channel = 0, steps = 1, avoided = 0;
+  for (const NounPhrase& phrase : clause.phrases) {
+    if (at_home_ && phrase.role == Role::kExcept) {
+      avoided = phrase.number;
+      continue;
+    }
+    if (phrase.phrase == "channel" && phrase.count > 0 && phrase.number == 0) steps = phrase.count;
+    channel = std::max({channel, phrase.number, phrase.ordinal, phrase.pronoun ? phrase.count : 0});
+  }
+  int now = 0;
+  for (int i = 1; i <= kChannels; ++i)
+    if (now_.is(kTv_1, static_cast<Symbol>(kChannel1 + i - 1))) now = i;
+  if (now == 0) return "it is not known which channel is on";
+  if (channel > kChannels) {
+    no_such_number_ = true;
+    return "there is no channel " + std::to_string(channel) + "; there are channels 1 to " +
+           std::to_string(kChannels);
+  }
+  if (avoided > 0 && channel == 0 && now != avoided) return {};
+  const int by = (steps % kChannels) * (down ? kChannels - 1 : 1);
+  const int target = channel > 0 ? channel : (now - 1 + by) % kChannels + 1;
+  const bool up = (target - now + kChannels) % kChannels <= kChannels / 2;
+  for (; now != target; now = (now - 1 + (up ? 1 : kChannels - 1)) % kChannels + 1)
+    if (const Problem problem =
+            act({Verb::kPress, up ? Symbol{kTv_1ChannelUpButton} : Symbol{kTv_1ChannelDownButton}});
+        !problem.empty())
+      return problem;
+  if (at_home_ && (silent_ || clause.frame == Frame::kMute) && now_.is(kTv_1, kVolume))
+    return act({Verb::kPress, Symbol{kTv_1VolumeDownButton}});
+  return {};
 }
 
 }  // namespace goalnet::inference
