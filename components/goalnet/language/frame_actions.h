@@ -41,6 +41,10 @@ class FrameActions : public FrameContext {
 
   // frame_conditions.cc
   bool holds(const Clause& statement, Problem& problem);
+  bool shows_channel(int number) const;
+  bool anything_is_where_said(const NounPhrase& subject);
+  Symbol object_judged(const Clause& statement, const NounPhrase& plain, const Objects& objects);
+  bool is_as_said(const NounPhrase& phrase);
   // Whether it is on, open, full, ... now; nothing for states that no fact tells.
   std::optional<bool> is_so(Symbol object, const std::string& state) const;
   // Whether the clause is to be done, by its condition.

@@ -12,6 +12,11 @@ namespace {
 
 constexpr int kChannels = kChannel6 - kChannel1 + 1;
 
+bool tells_content_or_heat(const std::string& state) {
+  return state == "empty" || state == "full" || state == "filled" || state == "hot" || state == "warm" ||
+         state == "cold";
+}
+
 }  // namespace
 
 std::string FrameActions::check_forbidden(const Clause& clause, const SymState& start) const {
@@ -130,17 +135,10 @@ bool FrameActions::wanted(const Clause& clause, Problem& problem) {
 // Whether "the tap is on", "the mug is in the sink" is so now.
 bool FrameActions::holds(const Clause& statement, Problem& problem) {
   const NounPhrase& subject = statement.phrases.front();
-  if (at_home_ && language_.tv_word(subject.phrase) && subject.number > 0) {  // "the tv is on channel three"
-    const bool shown =
-        subject.number <= kChannels && now_.is(kTv_1, static_cast<Symbol>(kChannel1 + subject.number - 1));
-    return (is_on(kTv_1) && shown) != statement.negative;
-  }
-  if (at_home_ && subject.everything && !subject.at.empty()) {  // "anything is on the stove"
-    Objects there = resolver_.options(subject, Sort::kMovable, now_);
-    std::erase_if(there, [&](Symbol object) { return !resolver_.is_where_said(object, subject, now_); });
-    if (!there.empty()) remember(there);
-    return there.empty() == statement.negative;
-  }
+  if (at_home_ && language_.tv_word(subject.phrase) && subject.number > 0)  // "the tv is on channel three"
+    return shows_channel(subject.number) != statement.negative;
+  if (at_home_ && subject.everything && !subject.at.empty())  // "anything is on the stove"
+    return anything_is_where_said(subject) != statement.negative;
   NounPhrase plain = subject;
   plain.at.clear();
   if (at_home_) plain.content.clear();
@@ -150,29 +148,15 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
     problem = unknown_thing(subject, Sort::kAny);
     return false;
   }
-  Symbol object = objects.front();
-  if (at_home_ && plain.ordinal > 0 && !subject.pronoun)  // "if the second couch is free"
-    if (const Objects meant = resolver_.chosen(plain, objects); !meant.empty()) object = meant.front();
-  if (at_home_ && plain.ordinal == 0)  // "if one of the burners is on"
-    for (const Symbol other : objects)
-      if (is_so(other, statement.state).value_or(false)) {
-        object = other;
-        break;
-      }
+  Symbol object = object_judged(statement, plain, objects);
   bool so = true;
   if (const Symbol content = language_.content(subject.content);
       at_home_ && content != kNone) {  // "has coffee in it"
-    const auto with =
-        std::find_if(objects.begin(), objects.end(), [&](Symbol other) { return now_.is(other, content); });
+    const auto with = std::ranges::find_if(objects, [&](Symbol other) { return now_.is(other, content); });
     so = with != objects.end();
     if (so) object = *with;
   }
-  if (!subject.at.empty()) {
-    const int loose = resolver_.doubts().loose;
-    resolver_.options(subject, Sort::kAny, now_);
-    so = resolver_.doubts().loose == loose;
-    resolver_.doubts().loose = loose;
-  }
+  if (!subject.at.empty()) so = is_as_said(subject);
   // "if there is coffee in the mug"
   if (const Symbol content = language_.content(subject.phrase);
       content != kNone && !subject.at.empty() && !subject.pronoun) {
@@ -184,19 +168,49 @@ bool FrameActions::holds(const Clause& statement, Problem& problem) {
   if (const auto is_now = is_so(object, state)) {
     so = *is_now;
   } else if (!state.empty()) {
-    NounPhrase as_said = plain;
-    as_said.adjectives.push_back(state == "filled" ? "full" : state);
-    if (state != "empty" && state != "full" && state != "filled" && state != "hot" && state != "warm" &&
-        state != "cold") {
+    if (!tells_content_or_heat(state)) {
       problem = "it is not known whether " + resolver_.name(object) + " is " + state;
       return false;
     }
-    const int loose = resolver_.doubts().loose;
-    resolver_.options(as_said, Sort::kAny, now_);
-    so = resolver_.doubts().loose == loose;
-    resolver_.doubts().loose = loose;
+    plain.adjectives.push_back(state == "filled" ? "full" : state);
+    so = is_as_said(plain);
   }
   return so != statement.negative;
+}
+
+bool FrameActions::shows_channel(int number) const {
+  return is_on(kTv_1) && number <= kChannels && now_.is(kTv_1, static_cast<Symbol>(kChannel1 + number - 1));
+}
+
+// "it" is what is there from here on.
+bool FrameActions::anything_is_where_said(const NounPhrase& subject) {
+  Objects there = resolver_.options(subject, Sort::kMovable, now_);
+  std::erase_if(there, [&](Symbol object) { return !resolver_.is_where_said(object, subject, now_); });
+  if (!there.empty()) remember(there);
+  return !there.empty();
+}
+
+// Of several the one that is counted ("the second couch is free"), the one that is so ("one of the burners is
+// on"), else the first.
+Symbol FrameActions::object_judged(const Clause& statement, const NounPhrase& plain, const Objects& objects) {
+  if (!at_home_) return objects.front();
+  if (plain.ordinal > 0 && !plain.pronoun) {
+    const Objects meant = resolver_.chosen(plain, objects);
+    return meant.empty() ? objects.front() : meant.front();
+  }
+  if (plain.ordinal == 0)
+    for (const Symbol other : objects)
+      if (is_so(other, statement.state).value_or(false)) return other;
+  return objects.front();
+}
+
+// Whether some object is all that the phrase says.
+bool FrameActions::is_as_said(const NounPhrase& phrase) {
+  const int loose = resolver_.doubts().loose;
+  resolver_.options(phrase, Sort::kAny, now_);
+  const bool so = resolver_.doubts().loose == loose;
+  resolver_.doubts().loose = loose;
+  return so;
 }
 
 }  // namespace goalnet::inference

@@ -35,6 +35,117 @@ bool make_wish(Clause& clause, const Language& language) {
   return !clause.phrases.empty();
 }
 
+bool has_mood(const std::vector<Clause>& clauses, Mood mood) {
+  return std::ranges::any_of(clauses, [&](const Clause& clause) { return clause.mood == mood; });
+}
+
+// "the tv is off, would you mind?": statements that somebody wants seen to are commands.
+void command_what_is_asked(std::vector<Clause>& clauses, const Language& language, Understanding& result) {
+  for (Clause& clause : clauses) {
+    if (clause.mood != Mood::kStatement || !clause.asked) continue;
+    if (!make_wish(clause, language)) {
+      result.problems.push_back("it is not clear what should be done about that");
+      return;
+    }
+    clause.mood = Mood::kCommand;
+  }
+}
+
+// "switch the tv on, channel one has the news": that channel is wanted
+void command_channel_told(std::vector<Clause>& clauses, const Language& language, const Lexicon& lexicon) {
+  const bool tv_on =
+      language.hears_people() && std::ranges::any_of(clauses, [&](const Clause& c) {
+        return c.mood == Mood::kCommand && c.first(Role::kDirect) != nullptr &&
+               (c.frame == Frame::kStart || (c.frame == Frame::kTurn && c.has_particle("on"))) &&
+               lexicon.is_name_of(c.first(Role::kDirect)->phrase, "tv");
+      });
+  const bool channel_asked = std::ranges::any_of(
+      clauses, [](const Clause& c) { return c.mood == Mood::kCommand && c.frame == Frame::kChange; });
+  if (!tv_on || channel_asked) return;
+  for (Clause& clause : clauses)
+    if (clause.mood == Mood::kStatement && clause.wish && clause.frame == Frame::kChange)
+      clause.mood = Mood::kCommand;
+}
+
+// "the mug is dirty": where nothing is asked for, what somebody who says that would like to have done
+bool command_first_wish(std::vector<Clause>& clauses, const Language& language) {
+  if (has_mood(clauses, Mood::kCommand)) return false;
+  for (Clause& clause : clauses)
+    if (clause.mood == Mood::kStatement && make_wish(clause, language)) {
+      clause.mood = Mood::kCommand;
+      return true;
+    }
+  return false;
+}
+
+// Why nothing is done where nothing is asked for.
+void tell_nothing_asked(const ParsedSentence& sentence, const Language& language, Understanding& result) {
+  result.nothing_known = true;
+  result.only_forbids = has_mood(sentence.clauses, Mood::kForbidden);
+  result.only_asks = sentence.wonders;
+  std::string problem = result.only_forbids ? "the sentence forbids something but asks for nothing"
+                        : has_mood(sentence.clauses, Mood::kQuestion) || sentence.wonders
+                            ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
+                            : "there is no verb that a robot could act on";
+  if (!sentence.stray.empty())
+    problem += "; " + language.unknown_word(sentence.stray.front());
+  else if (!sentence.passed.empty())
+    problem += "; " + language.unknown_word(sentence.passed.front());
+  result.problems.push_back(problem);
+}
+
+// "fill the mug, but do not turn off the tap"
+bool tap_may_run(const std::vector<Clause>& clauses) {
+  return std::ranges::any_of(clauses, [](const Clause& clause) {
+    return clause.mood == Mood::kForbidden &&
+           (clause.has("tap") || clause.has("water") || clause.has("faucet"));
+  });
+}
+
+// Adds the commands and takes note of all else; `missing`: how many of the problems are things that are not
+// here.
+std::vector<ReadCommand> add_clauses(const std::vector<Clause>& clauses, FrameActions& actions,
+                                     Understanding& result, std::size_t& missing) {
+  std::vector<ReadCommand> commands;
+  const bool surely_asked =
+      std::ranges::any_of(clauses, [](const Clause& c) { return c.mood == Mood::kCommand && !c.weak; });
+  for (const Clause& clause : clauses) {
+    const bool aside = clause.weak && surely_asked;
+    // "I want to sit down, clear the couch"
+    if (clause.mood != Mood::kCommand || (aside && clause.reason)) {
+      actions.notice(clause);
+      result.passed_over += clause.mood != Mood::kForbidden;
+      continue;
+    }
+    ++result.clauses;
+    const std::size_t before = actions.macros().size();
+    const std::string problem = actions.add(clause);
+    commands.push_back({&clause, before, actions.macros().size()});
+    if (problem.empty()) continue;
+    if (aside) {
+      actions.notice(clause);
+      ++result.passed_over;
+      continue;
+    }
+    result.problems.push_back(problem);
+    missing += actions.names_missing_thing(problem);
+  }
+  return commands;
+}
+
+// "somebody left a burner on, switch it off": where none is on that is no "done already"
+void check_what_is_told(const std::vector<Clause>& clauses, FrameActions& actions, Understanding& result) {
+  if (!result.problems.empty() || !actions.macros().empty()) return;
+  for (const Clause& clause : clauses) {
+    if (clause.mood != Mood::kStatement) continue;
+    std::string problem = actions.contradicted(clause);
+    if (problem.empty()) continue;
+    result.problems.push_back(std::move(problem));
+    result.contradicted = true;
+    return;
+  }
+}
+
 }  // namespace
 
 Understanding FrameReader::read(const Instruction& instruction, const SymState& start) const {
@@ -51,106 +162,23 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
                                 const Distances* distances) const {
   Understanding result;
   ParsedSentence sentence = parse_clauses(words, language_, lexicon_);
-  const auto asks = [](const Clause& clause) { return clause.mood == Mood::kCommand; };
-  for (Clause& clause : sentence.clauses)
-    if (clause.mood == Mood::kStatement && clause.asked) {
-      if (!make_wish(clause, language_)) {
-        result.problems.push_back("it is not clear what should be done about that");
-        break;
-      }
-      clause.mood = Mood::kCommand;
-    }
-  // "switch the tv on, channel one has the news"
-  const bool tv_on =
-      language_.hears_people() &&
-      std::any_of(sentence.clauses.begin(), sentence.clauses.end(), [&](const Clause& c) {
-        return c.mood == Mood::kCommand && c.first(Role::kDirect) != nullptr &&
-               (c.frame == Frame::kStart || (c.frame == Frame::kTurn && c.has_particle("on"))) &&
-               lexicon_.is_name_of(c.first(Role::kDirect)->phrase, "tv");
-      });
-  const bool channel_asked =
-      std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
-                  [&](const Clause& c) { return c.mood == Mood::kCommand && c.frame == Frame::kChange; });
-  for (Clause& clause : sentence.clauses)
-    if (tv_on && !channel_asked && clause.mood == Mood::kStatement && clause.wish &&
-        clause.frame == Frame::kChange)
-      clause.mood = Mood::kCommand;
-  bool any_command = std::any_of(sentence.clauses.begin(), sentence.clauses.end(), asks);
-  if (!any_command) {
-    for (Clause& clause : sentence.clauses)
-      if (clause.mood == Mood::kStatement && make_wish(clause, language_)) {
-        clause.mood = Mood::kCommand;
-        result.indirect = any_command = true;
-        break;
-      }
-  }
+  std::vector<Clause>& clauses = sentence.clauses;
+  command_what_is_asked(clauses, language_, result);
+  command_channel_told(clauses, language_, lexicon_);
+  result.indirect = command_first_wish(clauses, language_);
   if (!sentence.problem.empty()) result.problems.push_back(sentence.problem);
   result.for_later = sentence.for_later;
-  if (!any_command) {
-    result.nothing_known = true;
-    const bool forbids = std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
-                                     [](const Clause& clause) { return clause.mood == Mood::kForbidden; });
-    const bool only_asks = std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
-                                       [](const Clause& clause) { return clause.mood == Mood::kQuestion; });
-    result.only_forbids = forbids;
-    result.only_asks = sentence.wonders;
-    std::string problem =
-        forbids ? "the sentence forbids something but asks for nothing"
-        : only_asks || sentence.wonders
-            ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
-            : "there is no verb that a robot could act on";
-    if (!sentence.stray.empty())
-      problem += "; " + language_.unknown_word(sentence.stray.front());
-    else if (!sentence.passed.empty())
-      problem += "; " + language_.unknown_word(sentence.passed.front());
-    result.problems.push_back(problem);
+  if (!has_mood(clauses, Mood::kCommand)) {
+    tell_nothing_asked(sentence, language_, result);
     return result;
   }
-  // "fill the mug, but do not turn off the tap"
-  const bool may_run =
-      std::any_of(sentence.clauses.begin(), sentence.clauses.end(), [](const Clause& clause) {
-        return clause.mood == Mood::kForbidden &&
-               (clause.has("tap") || clause.has("water") || clause.has("faucet"));
-      });
   FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances, at_home_);
-  if (may_run) actions.leave_tap_on();
-  if (at_home_) actions.believe_places(sentence.clauses);
+  if (tap_may_run(clauses)) actions.leave_tap_on();
+  if (at_home_) actions.believe_places(clauses);
   std::size_t missing = 0;
-  std::vector<ReadCommand> commands;
-  for (const Clause& clause : sentence.clauses) {
-    if (clause.mood == Mood::kStatement || clause.mood == Mood::kQuestion) {
-      actions.notice(clause);
-      ++result.passed_over;
-      continue;
-    }
-    if (clause.mood == Mood::kForbidden) {
-      actions.notice(clause);
-      continue;
-    }
-    const bool aside =
-        clause.weak && std::any_of(sentence.clauses.begin(), sentence.clauses.end(),
-                                   [](const Clause& c) { return c.mood == Mood::kCommand && !c.weak; });
-    if (aside && clause.reason) {  // "I want to sit down, clear the couch"
-      actions.notice(clause);
-      ++result.passed_over;
-      continue;
-    }
-    ++result.clauses;
-    const std::size_t before = actions.macros().size();
-    const std::string problem = actions.add(clause);
-    commands.push_back({&clause, before, actions.macros().size()});
-    if (!problem.empty()) {
-      if (aside) {
-        actions.notice(clause);
-        ++result.passed_over;
-        continue;
-      }
-      result.problems.push_back(problem);
-      missing += actions.names_missing_thing(problem);
-    }
-  }
+  const auto commands = add_clauses(clauses, actions, result, missing);
   actions.finish();
-  for (const Clause& clause : sentence.clauses)
+  for (const Clause& clause : clauses)
     if (clause.mood == Mood::kForbidden)
       if (const std::string problem = actions.check_forbidden(clause, start); !problem.empty())
         result.problems.push_back(problem);
@@ -160,15 +188,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
                                            actions.resolver(), start);
         unused != symbol::kNone)
       result.problems.push_back("it is not clear what to do with " + symbols_.name(unused));
-  // "somebody left a burner on, switch it off": where none is on that is no "done already"
-  if (at_home_ && result.problems.empty() && actions.macros().empty())
-    for (const Clause& clause : sentence.clauses)
-      if (std::string problem = clause.mood == Mood::kStatement ? actions.contradicted(clause) : "";
-          !problem.empty()) {
-        result.problems.push_back(std::move(problem));
-        result.contradicted = true;
-        break;
-      }
+  if (at_home_) check_what_is_told(clauses, actions, result);
   result.no_such_number = actions.no_such_number();
   result.macros = actions.macros();
   result.steps = actions.steps();
