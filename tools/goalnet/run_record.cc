@@ -19,6 +19,7 @@ ordered_json to_json(const std::vector<RunStep>& steps) {
   for (const RunStep& step : steps) {
     list.push_back({{"positive", texts(step.goal.positive)},
                     {"negative", texts(step.goal.negative)},
+                    {"confidence", step.goal.confidence},
                     {"actions", texts(step.actions)}});
   }
   return list;

@@ -26,6 +26,13 @@ class RobotLanguage {
   Reading read(const std::vector<std::string>& tokens, const std::vector<std::string>& objects,
                const SymState& start, const Distances* distances);
 
+  // What a complete reading of the tokens shows of how sure to be.
+  struct Judgement {
+    Signs signs{};
+    std::vector<std::string> unused;  // what it leaves unused, for messages
+  };
+  Judgement judge(const std::vector<std::string>& tokens, const Reading& reading, const SymState& start,
+                  const Distances* distances) const;
   const ReadingConfidence& confidence() const { return confidence_; }
   double background(const SentencePart& part) const { return background_.of(part.signs); }  // 0..1
   std::vector<SentencePart> parts(const std::vector<std::string>& tokens) const;

@@ -46,6 +46,18 @@ Goal to_goal(const SymDelta& change, const Symbols& symbols, double confidence) 
   return goal;
 }
 
+// What was understood, and what of the message made no difference to it.
+std::string not_sure(const std::vector<SymAction>& actions, const std::vector<std::string>& unused,
+                     const Symbols& symbols) {
+  std::string text = "not sure: I understood ";
+  for (const SymAction& action : actions)
+    text += (&action == &actions.front() ? "\"" : ", ") + to_string(action, symbols);
+  text += actions.empty() ? "that all of it is so already" : "\"";
+  for (const std::string& word : unused)
+    text += (&word == &unused.front() ? "; unclear: \"" : ", \"") + word + "\"";
+  return text + "; please say it in other words";
+}
+
 }  // namespace
 
 RankerModel::RankerModel(RankerParts parts, ModelUse use) : parts_(std::move(parts)), use_(use) {
@@ -90,12 +102,11 @@ RankerModel::Decoded RankerModel::decode(const StepInput& input) {
       parts_.lexicon->class_of(symbol, parts_.symbols);
   const WorldState& world = input.states.front();
   const SymState start = to_sym_state(world.facts, parts_.symbols);
-  // The seed depends on the words only: the same instruction is decoded alike wherever it is given.
-  const std::uint64_t seed = hash_text(input.sentence);
-  if (use_ == ModelUse::kRobot) return decode_robot(input, words, start, seed);
+  if (use_ == ModelUse::kRobot) return decode_robot(input, words, start);
   const Instruction instruction = see_instruction(words, input.grounding, world.objects, *parts_.lexicon,
                                                   *parts_.language, parts_.symbols);
-  return decode_benchmark(instruction, start, seed);
+  // The seed depends on the words only: the same instruction is decoded alike wherever it is given.
+  return decode_benchmark(instruction, start, hash_text(input.sentence));
 }
 
 RankerModel::Decoded RankerModel::decode_benchmark(const Instruction& instruction, const SymState& start,
@@ -120,32 +131,31 @@ RankerModel::Decoded RankerModel::decode_benchmark(const Instruction& instructio
   return decoded;
 }
 
-// The grammar says what is to be done; what learning says of it is one of the signs of how sure to be.
+// The grammar alone says what is to be done: doing more because somebody in a recording did so would
+// surprise.
 RankerModel::Decoded RankerModel::decode_robot(const StepInput& input, const std::vector<std::string>& words,
-                                               const SymState& start, std::uint64_t seed) {
+                                               const SymState& start) {
   Decoded decoded;
-  const WorldState& world = input.states.front();
-  const auto reading = robot_->read(words, world.objects, start, input.distances);
+  const auto reading = robot_->read(words, input.states.front().objects, start, input.distances);
   const Understanding& understanding = reading.understanding;
-  if (!understanding.complete) {
+  const auto refuse = [&](Outcome outcome, std::string why) {
     decoded.refused = true;
-    decoded.refusal = {understanding.unknown_thing ? Outcome::kUnknownObject : Outcome::kNotUnderstood,
-                       understanding.problems.empty() ? "nothing here can be done about that"
-                                                      : understanding.problems.front()};
+    decoded.refusal = {outcome, std::move(why)};
+  };
+  if (!understanding.complete) {
+    refuse(understanding.unknown_thing ? Outcome::kUnknownObject : Outcome::kNotUnderstood,
+           understanding.problems.empty() ? "nothing here can be done about that"
+                                          : understanding.problems.front());
+    return decoded;
+  }
+  const auto judgement = robot_->judge(words, reading, start, input.distances);
+  signs_ = judgement.signs;
+  const double confidence = robot_->confidence().of(signs_);
+  if (confidence < robot_->confidence().least()) {
+    refuse(Outcome::kNotUnderstood, not_sure(understanding.macros, judgement.unused, parts_.symbols));
     return decoded;
   }
   if (understanding.macros.empty()) return decoded;  // all of it holds already
-  const Instruction instruction = see_instruction(reading.words.text, input.grounding, world.objects,
-                                                  *parts_.lexicon, *parts_.language, parts_.symbols);
-  const Ranker& ranker = instruction.grounding_given ? parts_.given : parts_.none;
-  const auto pool = propose(ranker, *parts_.lexicon, instruction,
-                            {understanding.macros, understanding.complete}, start, seed)
-                        .pool;
-  const CandidateRun read = play(start, understanding.macros);
-  float support = 0;  // how far the learned runs agree with the reading
-  for (const CandidateRun& run : pool) support += (run.weight - run.read) * agreement(read, run).f1;
-  signs_ = signs_of(reading.words, understanding, support);
-  const double confidence = robot_->confidence().of(signs_);
   for (const SymDelta& step : understanding.steps)
     if (!step.empty()) decoded.steps.push_back(to_goal(step, parts_.symbols, confidence));
   return decoded;

@@ -61,8 +61,7 @@ class RankerModel : public GoalModel {
   Expected<Goal> do_infer(const StepInput& input) override;
   Decoded decode(const StepInput& input);
   Decoded decode_benchmark(const Instruction& instruction, const SymState& start, std::uint64_t seed);
-  Decoded decode_robot(const StepInput& input, const std::vector<std::string>& words, const SymState& start,
-                       std::uint64_t seed);
+  Decoded decode_robot(const StepInput& input, const std::vector<std::string>& words, const SymState& start);
 
   RankerParts parts_;
   std::unique_ptr<RobotLanguage> robot_;  // refers to parts_.symbols

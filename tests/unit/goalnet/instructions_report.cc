@@ -7,6 +7,10 @@
 //   goalnet_instructions_report FILE --parts     for tools/fit_background: each part of each sentence that
 //   reaches its
 //                                                goal, and whether it does without that part as well
+//   goalnet_instructions_report FILE --signs     for tools/fit_confidence: of each sentence that is not
+//   refused,
+//                                                whether the reading is right, and its signs. Taken before
+//                                                anything is mended for FILE.
 // FILE: lines of room, sentence, goal (or REFUSE; empty: only tell what is done), changes to the start state;
 // by tabs.
 #include <algorithm>
@@ -18,6 +22,7 @@
 
 #include "components/goalnet/demonstration.h"
 #include "components/goalnet/language/robot_language.h"
+#include "components/goalnet/ranker/ranker_model.h"
 #include "components/goalnet/scoring.h"
 #include "components/goalnet/tokenizer.h"
 #include "tests/unit/goalnet/instruction_runner.h"
@@ -101,6 +106,16 @@ void print_parts(InstructionRunner& runner, const RobotLanguage& language, std::
   }
 }
 
+void print_signs(InstructionRunner& runner, std::vector<std::string> row) {
+  row.resize(std::max<std::size_t>(row.size(), 4));
+  const auto run = runner.follow(runner.room(row[0], row[3]), row[1]);
+  if (row[2] == "REFUSE" || run.refused) return;
+  std::printf("%d", reached(row[2], run.facts) ? 1 : 0);
+  for (const double sign : dynamic_cast<const RankerModel&>(runner.model()).signs())
+    std::printf("\t%g", sign);
+  std::printf("\n");
+}
+
 // What becomes of one recorded sentence, over all worlds that it was said in.
 struct Recorded {
   int said = 0, refused = 0;
@@ -147,7 +162,8 @@ void report_recorded(InstructionRunner& runner, const std::string& folder, bool 
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: goalnet_instructions_report FILE [--all|--parts] | FOLDER [--all]\n");
+    std::fprintf(stderr,
+                 "usage: goalnet_instructions_report FILE [--all|--parts|--signs] | FOLDER [--all]\n");
     return 2;
   }
   try {
@@ -163,6 +179,10 @@ int main(int argc, char** argv) {
     if (argc > 2 && std::strcmp(argv[2], "--parts") == 0) {
       std::size_t number = 0;
       for (const auto& row : read_rows(argv[1])) print_parts(runner, **language, ++number, row);
+      return 0;
+    }
+    if (argc > 2 && std::strcmp(argv[2], "--signs") == 0) {
+      for (const auto& row : read_rows(argv[1])) print_signs(runner, row);
       return 0;
     }
     for (const auto& row : read_rows(argv[1]))

@@ -3,11 +3,14 @@
 // stays held out.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <string_view>
 
 #include "components/goalnet/demonstration.h"
 #include "components/goalnet/ranker/ranker_model.h"
@@ -33,8 +36,7 @@ class Instructions : public testing::Test {
 };
 
 TEST_F(Instructions, SensibleOnesReachTheirGoals) {
-  const bool print_signs = std::getenv("GOALNET_PRINT_SIGNS") != nullptr;  // for tools/fit_confidence
-  std::map<std::string, std::array<int, 3>> counts;                        // set -> all, reached, refused
+  std::map<std::string, std::array<int, 3>> counts;          // set -> all, reached, refused
   std::map<std::string, std::array<double, 3>> confidences;  // set -> not refused, sum of confidence, reached
   for (const auto& row : read_rows(kFolder + "sensible.tsv")) {
     ASSERT_EQ(row.size(), 6u) << row[0];
@@ -50,23 +52,18 @@ TEST_F(Instructions, SensibleOnesReachTheirGoals) {
     }
     if (!ok && row[1] == "tuning")
       std::printf("%s not reached: %s: %s\n", row[0].c_str(), row[3].c_str(), run.message.c_str());
-    if (print_signs && !run.refused && !run.goals.empty()) {
-      std::printf("signs %s %d", row[1].c_str(), ok ? 1 : 0);
-      for (const double sign : dynamic_cast<const RankerModel&>(runner->model()).signs())
-        std::printf(" %.4f", sign);
-      std::printf("\n");
-    }
   }
-  // What is done with a confidence of p is right in about that share of all cases.
+  // The confidence is that of people met for the first time; these sets have been known for long.
   for (const auto& [set, sure] : confidences) {
     std::printf("%s: mean confidence %.3f, %.3f of what was not refused is right\n", set.c_str(),
                 sure[1] / sure[0], sure[2] / sure[0]);
-    EXPECT_NEAR(sure[1] / sure[0], sure[2] / sure[0], 0.05) << set;
+    EXPECT_LT(sure[1] / sure[0], sure[2] / sure[0]) << set;
+    EXPECT_GT(sure[1] / sure[0], 0.9) << set;
   }
   for (const auto& [set, count] : counts) {
     std::printf("%s: %d of %d reach their goal, %d refused\n", set.c_str(), count[1], count[0], count[2]);
     EXPECT_GE(count[1], 0.92 * count[0]) << set;
-    EXPECT_LT(count[2], 0.05 * count[0]) << set;
+    EXPECT_LT(count[2], (set == "tuning" ? 0.06 : 0.03) * count[0]) << set;
   }
   EXPECT_EQ(counts["held_out"][0], 80);
   EXPECT_EQ(counts["blind"][0], 716);
@@ -153,6 +150,76 @@ TEST_F(Instructions, HalfOfWhatWasAskedIsNoAnswer) {
     const std::string message = refusal("kitchen", sentence).message;
     EXPECT_NE(message.find(cannot), std::string::npos) << sentence << ": " << message;
   }
+}
+
+// A sign of how sure to be of what was said last.
+double sign(const GoalModel& model, std::string_view name) {
+  const auto at = std::find(kSignNames.begin(), kSignNames.end(), name);
+  return dynamic_cast<const RankerModel&>(model).signs().at(
+      static_cast<std::size_t>(at - kSignNames.begin()));
+}
+
+TEST_F(Instructions, WhatAReadingLeavesUnusedIsASignOfDoubt) {
+  struct Case {
+    const char *sign, *with, *without;  // a sentence that shows the sign, and one like it that does not
+  };
+  for (const Case& c : std::vector<Case>{
+           {"unused_things", "I have the plate already, now I just need the fork",
+            "put the fork on the plate"},
+           {"unused_places", "the tap is dripping all day long, bring me the fork",
+            "put the fork in the sink"},
+           {"unused_numbers", "I have asked four times, bring me the fork", "turn on burner four"},
+           {"unheard_turns", "tip out the coffee and put water in the mug instead",
+            "bring me the fork, not the spoon"},
+           {"idle", "the left door of the fridge should please be closed now", "close the left fridge door"},
+           {"corrected_itself", "put the lid... no, the plate on the counter", "the fork"},
+           {"conditions", "if the tap is off, turn it on", "turn on the tap"}}) {
+    const auto infer = [&](const char* sentence) {
+      const std::vector<WorldState> states = {runner->room("kitchen", "")};
+      (void)runner->model().infer(
+          {.sentence = sentence, .grounding = nullptr, .states = states, .goals = {}});
+      return sign(runner->model(), c.sign);
+    };
+    EXPECT_EQ(infer(c.without), 0) << c.sign << ": " << c.without;
+    EXPECT_GT(infer(c.with), 0) << c.sign << ": " << c.with;
+  }
+}
+
+TEST_F(Instructions, WhatIsNotSureIsToldAndNotDone) {
+  const Error error = refusal("kitchen", "I have the plate already, now I just need the fork");
+  EXPECT_EQ(error.outcome, Outcome::kNotUnderstood);
+  for (const char* part : {"not sure", "grasp Fork_1", "unclear: \"plate\"", "in other words"})
+    EXPECT_NE(error.message.find(part), std::string::npos) << error.message;
+}
+
+// Of readings of what people said before the grammar was mended for it: a confidence of p is right in about
+// that share of them, and most of those below the least are wrong.
+TEST(ReadingConfidence, SaysHowOftenFirstReadingsAreRight) {
+  std::ifstream file(GOALNET_SOURCE_DIR "/config/language/confidence.json");
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  const auto confidence = ReadingConfidence::parse(text, "confidence.json");
+  ASSERT_TRUE(confidence) << confidence.error().message;
+  double all = 0, sum = 0, right = 0, low = 0, low_right = 0;
+  for (const auto& row : read_rows(kFolder + "first_met.tsv")) {
+    if (row.at(1) != "people") continue;
+    Signs signs{};
+    ASSERT_EQ(row.size(), 3 + signs.size());
+    for (std::size_t i = 0; i < signs.size(); ++i) signs[i] = std::stod(row[3 + i]);
+    const double p = confidence->of(signs), ok = row[2] == "1" ? 1 : 0;
+    all += 1, sum += p, right += ok;
+    if (p < confidence->least()) low += 1, low_right += ok;
+  }
+  EXPECT_NEAR(sum / all, right / all, 0.02);
+  EXPECT_LT(low_right, 0.35 * low);
+  EXPECT_GT(low - low_right, 0.35 * (all - right)) << "of the wrong ones";
+  EXPECT_LT(low_right, 0.02 * right) << "of the right ones";
+}
+
+TEST(ReadingConfidence, AFileThatLacksSomethingIsRefused) {
+  const auto without = ReadingConfidence::parse(R"({"bias": 1, "weights": {}})", "some.json");
+  ASSERT_FALSE(without);
+  EXPECT_NE(without.error().message.find("least"), std::string::npos) << without.error().message;
+  EXPECT_FALSE(ReadingConfidence::parse(R"({"least": 0.5, "bias": 1, "weights": {"ties": 1}})", "some.json"));
 }
 
 // What people said to the robot when they were recorded: notes as a cook writes them, "it" for what is held.

@@ -57,6 +57,7 @@ TEST(RunRecord, AnActionBelongsToTheStepThatGaveIt) {
   report.step = 1;
   record.on_status(report);
   report.goal = goal({"(On Mug_1 Sink)"}, {"(Grasping Robot Mug_1)"});
+  report.goal.confidence = 0.75;
   record.on_status(report);
   report.actions = kMugToSink;
   report.finished = true;
@@ -66,6 +67,7 @@ TEST(RunRecord, AnActionBelongsToTheStepThatGaveIt) {
   const auto json = to_json({"put the mug in the sink", "kitchen", 7}, record, 12.3456, 1.5);
   EXPECT_EQ(json["steps"][0]["actions"], nlohmann::json({"grasp Mug_1"}));
   EXPECT_EQ(json["steps"][1]["actions"], nlohmann::json({"keep-on Mug_1 Sink"}));
+  EXPECT_EQ(json["steps"][1]["confidence"], 0.75);
   EXPECT_EQ(json["steps"][1]["negative"], nlohmann::json({"(Grasping Robot Mug_1)"}));
   EXPECT_EQ(json["facts_added"], nlohmann::json({"(On Mug_1 Sink)"}));
   EXPECT_EQ(json["objects"], nlohmann::json({"Mug_1", "Sink"}));
