@@ -70,8 +70,8 @@ struct Recording : testing::Test {
   std::string run(const std::string& name, const std::string& storage) {
     const std::string bag = (folder / name / "bag").string();
     fs::create_directories(folder / name);
-    const auto result = run_json(
-        {"--goal", "(state SinkKnob TapIsOn)", "--record", bag, "--record-storage", storage}, kDomain);
+    const auto result =
+        run_json({"--goal", "(state SinkKnob TapIsOn)", "--record", bag, "--record-storage", storage});
     EXPECT_EQ(result.exit_code, 0) << result.json["message"];
     return bag;
   }

@@ -63,7 +63,7 @@ TEST_F(Instructions, SensibleOnesReachTheirGoals) {
   for (const auto& [set, count] : counts) {
     std::printf("%s: %d of %d reach their goal, %d refused\n", set.c_str(), count[1], count[0], count[2]);
     EXPECT_GE(count[1], 0.92 * count[0]) << set;
-    EXPECT_LT(count[2], (set == "tuning" ? 0.06 : 0.03) * count[0]) << set;
+    EXPECT_LT(count[2], (set == "tuning" ? 0.05 : 0.03) * count[0]) << set;
   }
   EXPECT_EQ(counts["held_out"][0], 80);
   EXPECT_EQ(counts["blind"][0], 716);
@@ -211,8 +211,8 @@ TEST(ReadingConfidence, SaysHowOftenFirstReadingsAreRight) {
   }
   EXPECT_NEAR(sum / all, right / all, 0.02);
   EXPECT_LT(low_right, 0.35 * low);
-  EXPECT_GT(low - low_right, 0.35 * (all - right)) << "of the wrong ones";
-  EXPECT_LT(low_right, 0.02 * right) << "of the right ones";
+  EXPECT_GT(low - low_right, 0.25 * (all - right)) << "of the wrong ones";
+  EXPECT_LT(low_right, 0.01 * right) << "of the right ones";
 }
 
 TEST(ReadingConfidence, AFileThatLacksSomethingIsRefused) {
