@@ -29,8 +29,9 @@ constexpr std::array kTakesBack = {"no"sv,         "sorry"sv,   "wait"sv, "actua
 constexpr std::array kDeniesName = {"no"sv, "not"sv, "without"sv, "except"sv, "nor"sv, "never"sv, "than"sv};
 constexpr std::array kLeaves = {"leave"sv, "keep"sv, "stay"sv, "remain"sv, "keeps"sv, "leaves"sv};
 // "the pillow beside the beer", "the burner the kettle is on": may only tell where.
-constexpr std::array kBeside = {"beside"sv, "near"sv,  "next"sv,    "by"sv,       "with"sv,    "under"sv,
-                                "behind"sv, "lying"sv, "sitting"sv, "standing"sv, "nearest"sv, "closest"sv};
+constexpr std::array kBeside = {"beside"sv,   "near"sv,    "next"sv,   "by"sv,    "with"sv,
+                                "under"sv,    "behind"sv,  "close"sv,  "lying"sv, "sitting"sv,
+                                "standing"sv, "nearest"sv, "closest"sv};
 constexpr std::array kIs = {"is"sv, "are"sv, "was"sv, "has"sv};
 constexpr std::array kBeforeOne = {"number"sv,   "burner"sv, "ring"sv,  "armchair"sv, "shelf"sv,
                                    "loveseat"sv, "couch"sv,  "plate"sv, "book"sv,     "pillow"sv};
@@ -58,7 +59,9 @@ class Reader {
         symbols_(symbols) {
     for (const SymAction& action : actions)
       for (const Symbol object : {action.x, action.y})
-        if (object != symbol::kNone) used_.insert(symbols.name(object));
+        if (object != symbol::kNone) use(symbols.name(object));
+    for (const SymAction& action : actions)  // "two scoops of ice cream"
+      counts_.insert(static_cast<int>(std::count(actions.begin(), actions.end(), action)));
     std::vector<std::pair<std::string, std::string>> stands;
     for (const SymFact fact : start.facts())
       if (relation_of(fact) == Relation::kOn || relation_of(fact) == Relation::kIn)
@@ -102,6 +105,16 @@ class Reader {
     return std::any_of(actions_.begin(), actions_.end(), [&](const SymAction& action) {
       return start_.is(action.x, content) || start_.is(action.y, content);
     });
+  }
+
+  // A scoop is of the ice cream.
+  void use(const std::string& name) {
+    used_.insert(name);
+    const std::size_t scoop = name.find("Scoop");
+    if (scoop == std::string::npos) return;
+    for (const SeenObject& object : instruction_.objects)
+      if (const std::string& whole = symbols_.name(object.symbol); whole.starts_with(name.substr(0, scoop)))
+        used_.insert(whole);
   }
 
   // Whether a knob, button or door belongs to a place.

@@ -66,7 +66,7 @@ TEST_F(Instructions, SensibleOnesReachTheirGoals) {
     EXPECT_LT(count[2], (set == "tuning" ? 0.05 : 0.03) * count[0]) << set;
   }
   EXPECT_EQ(counts["held_out"][0], 80);
-  EXPECT_EQ(counts["blind"][0], 716);
+  EXPECT_EQ(counts["blind"][0], 890);
 }
 
 TEST_F(Instructions, NonsenseIsRefusedWithAReason) {
@@ -211,8 +211,8 @@ TEST(ReadingConfidence, SaysHowOftenFirstReadingsAreRight) {
   }
   EXPECT_NEAR(sum / all, right / all, 0.02);
   EXPECT_LT(low_right, 0.35 * low);
-  EXPECT_GT(low - low_right, 0.25 * (all - right)) << "of the wrong ones";
-  EXPECT_LT(low_right, 0.01 * right) << "of the right ones";
+  EXPECT_GT(low - low_right, 0.1 * (all - right)) << "of the wrong ones";
+  EXPECT_LT(low_right, 0.005 * right) << "of the right ones";
 }
 
 TEST(ReadingConfidence, AFileThatLacksSomethingIsRefused) {
@@ -238,7 +238,7 @@ TEST_F(Instructions, MostRecordedSentencesAreCarriedOut) {
   }
   std::printf("recorded: %d of %d sentences refused\n", refused, said);
   EXPECT_EQ(said, 779);
-  EXPECT_LT(refused, 0.18 * said);
+  EXPECT_LT(refused, 0.19 * said);
 }
 
 }  // namespace
