@@ -144,7 +144,8 @@ void put_it_there(Sentence& words, const Language& language) {
   if (end < 4) return;
   const std::size_t begin = spans.part_begin(end - 1);
   const std::size_t place = spans.phrase(begin, {"so", "so to", "so back", "hence", "therefore", "so off"});
-  if (begin == 0 || place == begin || spans.somewhere(place) != end || spans.orders(0, begin)) return;
+  if (begin == 0 || place == begin || place >= end) return;  // "..., so" says no place
+  if (spans.somewhere(place) != end || spans.orders(0, begin)) return;
   const bool known_place =
       place_preposition(words[place]) || language.names_place(words[end - 1]) ||
       language.names_place(end - place > 1 ? words[end - 2] + " " + words[end - 1] : words[end - 1]);
