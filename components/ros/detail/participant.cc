@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "components/ros/detail/held_reception.h"
+#include "components/ros/detail/lease_checks.h"
 #include "components/ros/detail/message_type.h"
 #include "components/ros/names.h"
 
@@ -145,6 +146,10 @@ dds::DomainParticipantQos participant_qos(const ParticipantSettings& settings) {
 
 Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSettings& settings) {
   std::shared_ptr<Participant> self(new Participant(settings));
+  if (!lease_checks_are_ours())
+    self->log_.warn(
+        "Fast DDS checks leases itself here and may end this process when another one leaves "
+        "(docs/design/075): link components/ros into the program, not into a library it loads");
   dds::DomainParticipantQos qos = participant_qos(settings);
   const auto reception = hold_reception(qos);
   self->participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(

@@ -22,7 +22,9 @@ class FakeParticipant {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  explicit FakeParticipant(int domain) : port_(static_cast<std::uint16_t>(7400 + 250 * domain)) {
+  explicit FakeParticipant(int domain, std::uint8_t number = 0)
+      : port_(static_cast<std::uint16_t>(7400 + 250 * domain)) {
+    prefix_[7] = number;
     unicast_ = ::socket(AF_INET, SOCK_DGRAM, 0);
     sockaddr_in own = address("127.0.0.1", 0);
     socklen_t size = sizeof own;
@@ -56,7 +58,12 @@ class FakeParticipant {
 
   const std::array<std::uint8_t, 12>& prefix() const { return prefix_; }
   // Another participant from now on, as far as others can tell.
-  void rename() { ++prefix_[11]; }
+  void rename() {
+    for (std::size_t i = prefix_.size() - 1; i >= 8 && ++prefix_[i] == 0; --i) {
+    }
+  }
+  // What it announces: others forget it after this time without a word.
+  void set_lease(std::chrono::milliseconds lease) { lease_ = lease; }
 
   // Announces itself to everybody, or to one participant alone.
   void announce() { send(announcement(), address("239.255.0.1", port_)); }
@@ -66,37 +73,65 @@ class FakeParticipant {
     send(announcement(), address(text, to.port));
   }
 
+  // Says to everybody that it goes, as who is not killed.
+  void leave() { send(disposal(), address("239.255.0.1", port_)); }
+
   // The next announcement of anybody that comes by multicast; nothing after 20 ms.
   std::optional<detail::Announcement> heard() { return detail::read_announcement(receive(multicast_)); }
   // The next message to us alone; empty after 20 ms.
   Bytes received() { return receive(unicast_); }
 
   Bytes announcement() const {
-    Bytes out;
-    append(out, {'R', 'T', 'P', 'S', 2, 3, 0x01, 0x0f});
-    append(out, prefix_);
-    Bytes body;
-    append(body, {0, 0, 16, 0, 0, 1, 0, 0xc7, 0, 1, 0, 0xc2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0, 0});
+    Bytes body = data(1);
+    append(body, {0, 3, 0, 0});
     parameter(body, 0x15, {2, 3, 0, 0});
     parameter(body, 0x16, {0x01, 0x0f, 0, 0});
-    Bytes guid;
-    append(guid, prefix_);
-    append(guid, {0, 0, 1, 0xc1});
-    parameter(body, 0x50, guid);
+    parameter(body, 0x50, guid());
     Bytes locator;
     append(locator, {1, 0, 0, 0, low(own_port_), high(own_port_), 0, 0});
     append(locator, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 127, 0, 0, 1});
     parameter(body, 0x32, locator);  // metatraffic
     parameter(body, 0x31, locator);
-    parameter(body, 0x02, {20, 0, 0, 0, 0, 0, 0, 0});
+    parameter(body, 0x02, duration(lease_));
     parameter(body, 0x58, {0x3f, 0x0c, 0, 0});
     parameter(body, 1, {});
-    append(out, {0x15, 0x05, low(body.size()), high(body.size())});
-    append(out, body);
-    return out;
+    return message(0x05, body);
   }
 
  private:
+  Bytes disposal() const {
+    Bytes body = data(2);
+    parameter(body, 0x70, guid());
+    parameter(body, 0x71, {0, 0, 0, 3});  // disposed and unregistered
+    parameter(body, 1, {});
+    return message(0x03, body);
+  }
+  Bytes guid() const {
+    Bytes out;
+    append(out, prefix_);
+    append(out, {0, 0, 1, 0xc1});
+    return out;
+  }
+  static Bytes duration(std::chrono::milliseconds time) {
+    Bytes out;
+    for (const std::uint64_t word :
+         {std::uint64_t(time.count() / 1000), (std::uint64_t(time.count() % 1000) << 32) / 1000}) {
+      append(out, {low(word), high(word), high(word >> 8), high(word >> 16)});
+    }
+    return out;
+  }
+  // How a sample of the writer of participants begins.
+  static Bytes data(std::uint8_t sequence_number) {
+    return {0, 0, 16, 0, 0, 1, 0, 0xc7, 0, 1, 0, 0xc2, 0, 0, 0, 0, sequence_number, 0, 0, 0};
+  }
+  Bytes message(std::uint8_t flags, const Bytes& body) const {
+    Bytes out;
+    append(out, {'R', 'T', 'P', 'S', 2, 3, 0x01, 0x0f});
+    append(out, prefix_);
+    append(out, {0x15, flags, low(body.size()), high(body.size())});
+    append(out, body);
+    return out;
+  }
   static sockaddr_in address(const char* ip, std::uint16_t port) {
     sockaddr_in out{};
     out.sin_family = AF_INET;
@@ -129,6 +164,7 @@ class FakeParticipant {
   const std::uint16_t port_;
   std::uint16_t own_port_ = 0;
   int unicast_ = -1, multicast_ = -1;
+  std::chrono::milliseconds lease_{20'000};
   std::array<std::uint8_t, 12> prefix_{0x01, 0x0f, 0x12, 0x34, 0x56, 0x78, 0, 0, 0, 0, 0, 1};
 };
 

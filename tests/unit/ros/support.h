@@ -13,7 +13,7 @@ namespace goalnet::ros {
 inline int test_domain(int base) { return base + static_cast<int>(getpid() % 4) * 12; }
 
 // The same for whole programs elsewhere, which take four numbers from `first` on: 60 (discovery), 64 (tools
-// graph), 68 (tools), 74 (abort), 97 (hostile), 101 and 105 (up and down), 109 (replay).
+// graph), 68 (tools), 74 (abort), 78 (leases), 97 (hostile), 101 and 105 (up and down), 109 (replay).
 inline int program_domain(int first) { return first + static_cast<int>(getpid() % 4); }
 
 inline const int kPubSubDomain = test_domain(120);
