@@ -1,9 +1,11 @@
 #include "components/robot/joint_order.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <mutex>
 #include <set>
+#include <string_view>
 
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
@@ -12,6 +14,7 @@ namespace goalnet::robot {
 namespace {
 
 constexpr double kFarthest = 1e3;  // [m] nothing of a robot is farther from its parent, or larger
+constexpr std::size_t kMaxNesting = 1000;
 
 // What urdfdom complains of while this lives. It leaves out an element that it cannot read, prints a line and
 // goes on: a link would have no collision shape, or no mass, and nobody would know.
@@ -42,6 +45,29 @@ bool finite(const urdf::Pose& pose) {
   const double norm = r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w;
   const double distance = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
   return distance <= kFarthest && std::isfinite(norm) && std::abs(norm - 1.0) < 1e-6;
+}
+
+// How deep elements stand in each other, about: text in comments counts as well.
+std::size_t nesting(const std::string& xml) {
+  std::size_t deepest = 0, depth = 0;
+  for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
+    const std::string_view element(xml.data() + at, std::min(xml.find('>', at), xml.size()) - at);
+    if (element.starts_with("</")) {
+      depth -= depth > 0 ? 1 : 0;
+    } else if (!element.starts_with("<!") && !element.starts_with("<?") && !element.ends_with('/')) {
+      deepest = std::max(deepest, ++depth);
+    }
+  }
+  return deepest;
+}
+
+// A link that is the child of two joints, or "". urdfdom accepts it: whoever follows the joints would go
+// round in a loop for ever, or meet the same link again and again.
+std::string child_of_two(const urdf::ModelInterface& model) {
+  std::set<std::string> children;
+  for (const auto& [name, joint] : model.joints_)
+    if (!children.insert(joint->child_link_name).second) return joint->child_link_name;
+  return "";
 }
 
 std::string check_joint(const urdf::Joint& joint) {
@@ -128,6 +154,8 @@ Expected<urdf::ModelInterfaceSharedPtr> parse_urdf(const std::string& xml, const
   };
   if (xml.size() > (4u << 20))
     return bad("larger than 4 MB; a robot description is text with primitive shapes");
+  if (nesting(xml) > kMaxNesting)  // urdfdom's reader takes minutes, or all of the stack
+    return bad("elements stand in each other more than " + std::to_string(kMaxNesting) + " deep");
   urdf::ModelInterfaceSharedPtr model;
   const Complaints complaints;
   try {
@@ -139,6 +167,8 @@ Expected<urdf::ModelInterfaceSharedPtr> parse_urdf(const std::string& xml, const
   if (!model || !model->getRoot())
     return bad("not a valid URDF: XML malformed, or a link or joint is missing or repeated");
   if (model->links_.size() > kMaxLinks) return bad("more than " + std::to_string(kMaxLinks) + " links");
+  if (const auto link = child_of_two(*model); !link.empty())
+    return bad("link '" + link + "' is the child of two joints; the links must form one tree");
   const auto joints = joints_depth_first(*model);
   if (joints.size() + 1 != model->links_.size()) return bad("its links do not form one tree");
   for (const auto& joint : joints) {

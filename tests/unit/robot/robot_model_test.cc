@@ -116,6 +116,29 @@ TEST(RobotModel, UrdfSlipsNameTheElement) {
       HasSubstr("within 1 km"));
 }
 
+// A loop of joints, and links that have two parents each: both would be followed for ever.
+TEST(RobotModel, LinksThatFormNoTreeAreRefused) {
+  const auto joint = [](const std::string& name, const std::string& parent, const std::string& child) {
+    return "<joint name=\"" + name + "\" type=\"fixed\"><parent link=\"" + parent + "\"/><child link=\"" +
+           child + "\"/></joint>";
+  };
+  const std::string loop = "<link name=\"a\"/><link name=\"b\"/>" + joint("to_a", "tray", "a") +
+                           joint("to_b", "a", "b") + joint("back", "b", "a");
+  EXPECT_THAT(urdf_slip("</robot>", loop + "</robot>").message, HasSubstr("'a' is the child of two joints"));
+  std::string doubled = "<link name=\"n0\"/>" + joint("to_n0", "tray", "n0");
+  for (int i = 0; i < 60; ++i) {
+    const std::string from = "n" + std::to_string(i), to = "n" + std::to_string(i + 1);
+    doubled += "<link name=\"" + to + "\"/>" + joint("one_" + to, from, to) + joint("two_" + to, from, to);
+  }
+  EXPECT_THAT(urdf_slip("</robot>", doubled + "</robot>").message, HasSubstr("is the child of two joints"));
+}
+
+TEST(RobotModel, UrdfThatIsNestedWithoutEndIsRefused) {
+  std::string begins, ends;
+  for (int i = 0; i < 50000; ++i) begins += "<a>", ends += "</a>";
+  EXPECT_THAT(urdf_slip("</robot>", begins + ends + "</robot>").message, HasSubstr("1000 deep"));
+}
+
 // urdfdom leaves out what it cannot read and goes on: the robot would be planned for without that shape.
 TEST(RobotModel, NoShapeOrMassIsLeftOutSilently) {
   EXPECT_THAT(urdf_slip("<mass value=\"55\"/>", "<mass value=\"heavy\"/>").message,
