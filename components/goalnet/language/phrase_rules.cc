@@ -124,11 +124,11 @@ Expected<void> PhraseRules::add_pattern(const Phrase& from, const Phrase& to, co
           for (const Id word : said[i]) next.node = add_child(next.node, word);
           if (of_group && next.chosen[group] == kNone) next.chosen[group] = static_cast<Id>(i);
           longer.push_back(next);
+          if (longer.size() > kMostWays)
+            return fail(Outcome::kInvalidRequest, "a pattern has too many ways to be read");
         }
     }
     ways = std::move(longer);
-    if (ways.size() > kMostWays)
-      return fail(Outcome::kInvalidRequest, "a pattern has too many ways to be read");
   }
   std::vector<Id> said;
   for (const Way& way : ways) {
