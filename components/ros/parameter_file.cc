@@ -16,6 +16,12 @@ constexpr std::size_t kLargestFile = 1u << 20;  // [bytes]
 constexpr int kDeepest = 32;                    // groups within groups
 constexpr std::size_t kLongestArray = 65'536;
 constexpr std::size_t kMostParameters = 10'000;
+constexpr std::size_t kMostGroups = 10'000;  // also of aliases: 32 levels of two each would be 4e9
+
+struct Collected {
+  std::vector<ParameterOverride> parameters;
+  std::size_t groups = 0;
+};
 
 tl::unexpected<Error> bad(const std::string& origin, const YAML::Node& node, const std::string& what) {
   return fail(Outcome::kInvalidRequest, origin + ":" + std::to_string(node.Mark().line + 1) + ": " + what);
@@ -81,8 +87,9 @@ Expected<ParameterValue> array(const YAML::Node& node, const std::string& origin
 }
 
 Expected<void> collect_parameters(const YAML::Node& map, const std::string& node, const std::string& prefix,
-                                  const std::string& origin, int depth, std::vector<ParameterOverride>& out) {
+                                  const std::string& origin, int depth, Collected& out) {
   if (depth > kDeepest) return bad(origin, map, "groups are nested more than 32 deep");
+  if (++out.groups > kMostGroups) return bad(origin, map, "more than 10000 groups");
   for (const auto& entry : map) {
     if (!entry.first.IsScalar()) return bad(origin, entry.first, "a parameter's name must be plain text");
     const std::string name = prefix + entry.first.Scalar();
@@ -96,16 +103,18 @@ Expected<void> collect_parameters(const YAML::Node& map, const std::string& node
                                          ? Expected<ParameterValue>(scalar(entry.second))
                                          : bad(origin, entry.first, "parameter '" + name + "' has no value");
     if (!value) return tl::unexpected(value.error());
-    if (out.size() >= kMostParameters) return bad(origin, entry.first, "more than 10000 parameters");
-    out.push_back(
+    if (out.parameters.size() >= kMostParameters)
+      return bad(origin, entry.first, "more than 10000 parameters");
+    out.parameters.push_back(
         {node, name, std::move(*value), origin + ":" + std::to_string(entry.first.Mark().line + 1)});
   }
   return {};
 }
 
 Expected<void> collect_nodes(const YAML::Node& map, const std::string& prefix, const std::string& origin,
-                             int depth, std::vector<ParameterOverride>& out) {
+                             int depth, Collected& out) {
   if (depth > kDeepest) return bad(origin, map, "namespaces are nested more than 32 deep");
+  if (++out.groups > kMostGroups) return bad(origin, map, "more than 10000 groups");
   for (const auto& entry : map) {
     if (!entry.first.IsScalar()) return bad(origin, entry.first, "a node's name must be plain text");
     const std::string key = entry.first.Scalar();
@@ -134,12 +143,12 @@ Expected<std::vector<ParameterOverride>> parse_parameters(const std::string& tex
                                                           const std::string& origin) {
   try {
     const YAML::Node root = YAML::Load(text);
-    std::vector<ParameterOverride> out;
-    if (root.IsNull()) return out;
+    Collected out;
+    if (root.IsNull()) return out.parameters;
     if (!root.IsMap())
       return bad(origin, root, "a parameter file must be NODE: {ros__parameters: {name: value}}");
     if (auto ok = collect_nodes(root, "", origin, 0, out); !ok) return tl::unexpected(ok.error());
-    return out;
+    return std::move(out.parameters);
   } catch (const YAML::Exception& error) {
     return fail(Outcome::kInvalidRequest,
                 origin + ":" + std::to_string(error.mark.line + 1) + ": not valid YAML: " + error.msg);

@@ -209,5 +209,16 @@ TEST(ParameterFile, HostileFilesAreBounded) {
   EXPECT_THAT(read_parameter_file(path).error().message, HasSubstr("larger than 1 MiB"));
 }
 
+TEST(ParameterFile, AliasesThatMultiplyAreRefused) {
+  std::string text = "n: {ros__parameters: {a: &g0 {}";
+  for (int i = 1; i < 30; ++i) {
+    const std::string last = "*g" + std::to_string(i - 1);
+    text += ", b" + std::to_string(i) + ": &g" + std::to_string(i) + " {x: " + last + ", y: " + last + "}";
+  }
+  const auto read = parse_parameters(text + "}}", "p.yaml");
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("more than 10000 groups"), std::string::npos) << read.error().message;
+}
+
 }  // namespace
 }  // namespace goalnet::ros
