@@ -70,6 +70,11 @@ std::string child_of_two(const urdf::ModelInterface& model) {
   return "";
 }
 
+// Links own their children: those of a loop would own each other, and never be freed.
+void take_apart(urdf::ModelInterface& model) {
+  for (const auto& [name, link] : model.links_) link->child_links.clear(), link->child_joints.clear();
+}
+
 std::string check_joint(const urdf::Joint& joint) {
   if (!finite(joint.parent_to_joint_origin_transform))
     return "has an origin that is not a finite pose within 1 km";
@@ -167,10 +172,15 @@ Expected<urdf::ModelInterfaceSharedPtr> parse_urdf(const std::string& xml, const
   if (!model || !model->getRoot())
     return bad("not a valid URDF: XML malformed, or a link or joint is missing or repeated");
   if (model->links_.size() > kMaxLinks) return bad("more than " + std::to_string(kMaxLinks) + " links");
-  if (const auto link = child_of_two(*model); !link.empty())
+  if (const auto link = child_of_two(*model); !link.empty()) {
+    take_apart(*model);
     return bad("link '" + link + "' is the child of two joints; the links must form one tree");
+  }
   const auto joints = joints_depth_first(*model);
-  if (joints.size() + 1 != model->links_.size()) return bad("its links do not form one tree");
+  if (joints.size() + 1 != model->links_.size()) {
+    take_apart(*model);
+    return bad("its links do not form one tree");
+  }
   for (const auto& joint : joints) {
     if (const auto what = check_joint(*joint); !what.empty())
       return bad("joint '" + joint->name + "' " + what);
