@@ -83,8 +83,9 @@ void tell_nothing_asked(const ParsedSentence& sentence, const Language& language
   result.nothing_known = true;
   result.only_forbids = has_mood(sentence.clauses, Mood::kForbidden);
   result.only_asks = sentence.wonders;
+  result.question = sentence.wonders || has_mood(sentence.clauses, Mood::kQuestion);
   std::string problem = result.only_forbids ? "the sentence forbids something but asks for nothing"
-                        : has_mood(sentence.clauses, Mood::kQuestion) || sentence.wonders
+                        : result.question
                             ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
                             : "there is no verb that a robot could act on";
   if (!sentence.stray.empty())

@@ -20,6 +20,7 @@ struct Understanding {
   bool for_later = false;             // a wish that nobody here keeps until then
   bool only_forbids = false;          // "do not open the fridge"
   bool only_asks = false;             // "I wonder if the fridge is open"
+  bool question = false;              // nothing is asked for, but something is asked
   bool nothing_known = false;         // no verb, or nothing it could be about
   bool no_such_number = false;        // "channel 9", "shelf 4": read, but there are fewer
   bool contradicted = false;          // "the tv is on, turn it off" where it is off: read, but it is not so

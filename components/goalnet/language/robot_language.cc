@@ -20,7 +20,7 @@ Expected<std::string> text_of(const std::string& path) {
 
 }  // namespace
 
-Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
+Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols, bool guesses) {
   std::unique_ptr<RobotLanguage> robot(new RobotLanguage(symbols));
   constexpr int kFiles = 7;
   std::string texts[kFiles], paths[kFiles];
@@ -58,12 +58,14 @@ Expected<std::unique_ptr<RobotLanguage>> RobotLanguage::load(Symbols& symbols) {
   auto background = Background::parse(texts[6], paths[6]);
   if (!background) return tl::unexpected(background.error());
   robot->background_ = std::move(*background);
+  if (!guesses) return robot;
+  auto gist = gist::GistModel::load(config_path("language/gist.safetensors"));
+  if (!gist) return tl::unexpected(gist.error());
+  robot->gist_ = std::move(*gist);
   return robot;
 }
 
-RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& tokens,
-                                           const std::vector<std::string>& objects, const SymState& start,
-                                           const Distances* distances) {
+Instruction RobotLanguage::objects_here(const std::vector<std::string>& objects) {
   // Things that the lexicon does not list are known by their names from here on.
   for (const std::string& object : objects)
     if (const Symbol symbol = symbols_.intern(object); symbol != symbol::kNone && symbol != symbol::kRobot)
@@ -78,15 +80,31 @@ RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& token
   add_parts("Microwave", {"MicrowaveButton"});
   add_parts("Stove", {"StoveKnob_1", "StoveKnob_2", "StoveKnob_3", "StoveKnob_4"});
   add_parts("Sink", {"SinkKnob"});
+  return see_instruction({}, nullptr, with_parts, *lexicon_, *language_, symbols_);
+}
+
+RobotLanguage::Sight RobotLanguage::see(const std::vector<std::string>& tokens,
+                                        const std::vector<std::string>& objects, const SymState& start) {
+  Sight sight;
+  sight.here = objects_here(objects);
+  sight.message = gist::see_message(tokens, sight.here, *lexicon_, *language_);
+  sight.requests = gist::possible_requests(sight.message, sight.here, start, *lexicon_, symbols_);
+  return sight;
+}
+
+RobotLanguage::Reading RobotLanguage::read(const std::vector<std::string>& tokens,
+                                           const std::vector<std::string>& objects, const SymState& start,
+                                           const Distances* distances) {
   Reading reading;
   reading.words = normal_words(tokens, *language_);
-  reading.instruction = see_instruction({}, nullptr, with_parts, *lexicon_, *language_, symbols_);
+  reading.instruction = objects_here(objects);
   const FrameReader reader(*lexicon_, *language_, symbols_, true);
   reading.understanding = reader.read(reading.words, reading.instruction, start, distances);
   // What cannot be done is no background: the rest is not done without it.
   const std::vector<SentencePart> all = parts(tokens);
   for (const SentencePart& part : all) {
     if (!asks_for_unknown(tokens, part)) continue;
+    reading.beyond_robot = true;
     if (reading.understanding.complete || all.size() > 1) {
       std::string said;
       for (std::size_t i = part.begin; i < part.end; ++i) said += (said.empty() ? "" : " ") + tokens[i];

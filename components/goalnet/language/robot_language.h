@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "components/goalnet/gist/gist_model.h"
 #include "components/goalnet/language/background.h"
 #include "components/goalnet/language/frames.h"
 #include "components/goalnet/language/reading_confidence.h"
@@ -13,14 +15,16 @@ namespace goalnet::inference {
 
 class RobotLanguage {
  public:
-  // Reads household.json, english.json, words.json, confidence.json, kinds.json, talk.json and
-  // background.json. Fails with kInvalidRequest: which file, what is wrong.
-  static Expected<std::unique_ptr<RobotLanguage>> load(Symbols& symbols);
+  // Reads household.json, english.json, words.json, confidence.json, kinds.json, talk.json, background.json
+  // and gist.safetensors. Fails with kInvalidRequest: which file, what is wrong.
+  // `guesses`: false for who makes the last of them.
+  static Expected<std::unique_ptr<RobotLanguage>> load(Symbols& symbols, bool guesses = true);
 
   struct Reading {
     Understanding understanding;
     Instruction instruction;  // the objects, by this language's classes
     Words words;
+    bool beyond_robot = false;  // a part asks for what no robot here can do
   };
   // `tokens` as tokenize() gives them. `distances` may be null.
   Reading read(const std::vector<std::string>& tokens, const std::vector<std::string>& objects,
@@ -34,6 +38,28 @@ class RobotLanguage {
   Judgement judge(const std::vector<std::string>& tokens, const Reading& reading, const SymState& start,
                   const Distances* distances) const;
   const ReadingConfidence& confidence() const { return confidence_; }
+
+  // What a message that was not read is most likely about (gist/): a sentence that is read, for people to
+  // confirm; nothing where there is none.
+  struct Guess {
+    std::string sentence;
+    double probability = 0;
+    bool sure = false;  // enough to do it unasked
+    Reading reading;    // of the sentence
+  };
+  std::optional<Guess> guess(const std::vector<std::string>& tokens, const Reading& refused,
+                             const std::vector<std::string>& objects, const SymState& start,
+                             const Distances* distances);
+  // What the words are and what could be asked for, for that.
+  struct Sight {
+    gist::Message message;
+    Instruction here;
+    std::vector<gist::Request> requests;
+  };
+  Sight see(const std::vector<std::string>& tokens, const std::vector<std::string>& objects,
+            const SymState& start);
+  const Lexicon& lexicon() const { return *lexicon_; }
+  const Language& language() const { return *language_; }
   double background(const SentencePart& part) const { return background_.of(part.signs); }  // 0..1
   std::vector<SentencePart> parts(const std::vector<std::string>& tokens) const;
   // As the grammar reads them first: see normal_words().
@@ -46,6 +72,9 @@ class RobotLanguage {
                                    const std::vector<bool>& aside) const;
 
  private:
+  bool may_be_done_unasked(const gist::Message& message, const gist::Likely& likely,
+                           const Reading& refused) const;
+  bool uses_all(const gist::Message& message, const gist::Likely& likely) const;
   // other_readings.cc: `reading` becomes one that makes sense where there is one.
   void other_readings(const std::vector<std::string>& tokens, const FrameReader& reader,
                       const SymState& start, const Distances* distances, Reading& reading);
@@ -61,13 +90,16 @@ class RobotLanguage {
   std::vector<std::string> with_known_verbs(const std::vector<std::string>& tokens) const;
   std::vector<std::string> without_describing(const std::vector<std::string>& tokens) const;
   bool names_nothing(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end) const;
-  explicit RobotLanguage(Symbols& symbols) : symbols_(symbols) {}
+  // The objects as this language knows them, with parts that worlds do not list.
+  Instruction objects_here(const std::vector<std::string>& objects);
+  explicit RobotLanguage(Symbols& symbols) : symbols_(symbols), gist_({}) {}
 
   Symbols& symbols_;
   std::unique_ptr<Lexicon> lexicon_;
   std::unique_ptr<Language> language_;
   ReadingConfidence confidence_;
   Background background_;
+  gist::GistModel gist_;
 };
 
 }  // namespace goalnet::inference

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "components/goalnet/ranker/reranker.h"
 #include "components/goalnet/tokenizer.h"
@@ -56,6 +57,21 @@ std::string not_sure(const std::vector<SymAction>& actions, const std::vector<st
   for (const std::string& word : unused)
     text += (&word == &unused.front() ? "; unclear: \"" : ", \"") + word + "\"";
   return text + "; please say it in other words";
+}
+
+// "yes, please do": an answer to "did you mean ...?", and nothing else.
+bool agrees(const std::vector<std::string>& words) {
+  static constexpr std::array<std::string_view, 9> kYes = {"yes",  "yeah",    "yep",    "yup", "exactly",
+                                                           "sure", "correct", "indeed", "aye"};
+  static constexpr std::array<std::string_view, 16> kWith = {
+      "yes",  "please", "do",  "that",  "it",     "go",  "ahead", "ok",
+      "okay", "i",      "did", "thank", "thanks", "you", ".",     ","};
+  const auto is = [](const auto& group, const std::string& word) {
+    return std::find(group.begin(), group.end(), word) != group.end();
+  };
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return is(kYes, word); }) &&
+         std::all_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return is(kYes, word) || is(kWith, word); });
 }
 
 }  // namespace
@@ -131,33 +147,50 @@ RankerModel::Decoded RankerModel::decode_benchmark(const Instruction& instructio
   return decoded;
 }
 
-// The grammar alone says what is to be done: doing more because somebody in a recording did so would
-// surprise.
-RankerModel::Decoded RankerModel::decode_robot(const StepInput& input, const std::vector<std::string>& words,
+// The grammar says what is to be done: doing more because somebody in a recording did so would surprise. What
+// it cannot read is guessed; a guess is mostly a question.
+RankerModel::Decoded RankerModel::decode_robot(const StepInput& input, std::vector<std::string> words,
                                                const SymState& start) {
-  Decoded decoded;
+  // An offer stands for the next message only.
+  const std::string offered = std::exchange(offered_, {});
+  if (!offered.empty() && agrees(words)) words = *tokenize(offered, Endings::kKept);
   const auto reading = robot_->read(words, input.states.front().objects, start, input.distances);
   const Understanding& understanding = reading.understanding;
-  const auto refuse = [&](Outcome outcome, std::string why) {
-    decoded.refused = true;
-    decoded.refusal = {outcome, std::move(why)};
-  };
-  if (!understanding.complete) {
-    refuse(understanding.unknown_thing ? Outcome::kUnknownObject : Outcome::kNotUnderstood,
-           understanding.problems.empty() ? "nothing here can be done about that"
-                                          : understanding.problems.front());
-    return decoded;
+  if (understanding.complete) {
+    const auto judgement = robot_->judge(words, reading, start, input.distances);
+    signs_ = judgement.signs;
+    const double confidence = robot_->confidence().of(signs_);
+    if (confidence >= robot_->confidence().least()) return steps_of(understanding, confidence);
+    return guessed(
+        input, words, start, reading,
+        {Outcome::kNotUnderstood, not_sure(understanding.macros, judgement.unused, parts_.symbols)});
   }
-  const auto judgement = robot_->judge(words, reading, start, input.distances);
-  signs_ = judgement.signs;
-  const double confidence = robot_->confidence().of(signs_);
-  if (confidence < robot_->confidence().least()) {
-    refuse(Outcome::kNotUnderstood, not_sure(understanding.macros, judgement.unused, parts_.symbols));
-    return decoded;
-  }
+  return guessed(input, words, start, reading,
+                 {understanding.unknown_thing ? Outcome::kUnknownObject : Outcome::kNotUnderstood,
+                  understanding.problems.empty() ? "nothing here can be done about that"
+                                                 : understanding.problems.front()});
+}
+
+RankerModel::Decoded RankerModel::steps_of(const Understanding& understanding, double confidence) {
+  Decoded decoded;
   if (understanding.macros.empty()) return decoded;  // all of it holds already
   for (const SymDelta& step : understanding.steps)
     if (!step.empty()) decoded.steps.push_back(to_goal(step, parts_.symbols, confidence));
+  return decoded;
+}
+
+RankerModel::Decoded RankerModel::guessed(const StepInput& input, const std::vector<std::string>& words,
+                                          const SymState& start, const RobotLanguage::Reading& refused,
+                                          Error refusal) {
+  const auto guess = robot_->guess(words, refused, input.states.front().objects, start, input.distances);
+  if (guess && guess->sure) return steps_of(guess->reading.understanding, guess->probability);
+  Decoded decoded;
+  decoded.refused = true;
+  decoded.refusal = std::move(refusal);
+  if (guess) {
+    decoded.refusal.message += "; did you mean \"" + guess->sentence + "\"?";
+    offered_ = guess->sentence;
+  }
   return decoded;
 }
 

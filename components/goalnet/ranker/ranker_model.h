@@ -61,7 +61,11 @@ class RankerModel : public GoalModel {
   Expected<Goal> do_infer(const StepInput& input) override;
   Decoded decode(const StepInput& input);
   Decoded decode_benchmark(const Instruction& instruction, const SymState& start, std::uint64_t seed);
-  Decoded decode_robot(const StepInput& input, const std::vector<std::string>& words, const SymState& start);
+  Decoded decode_robot(const StepInput& input, std::vector<std::string> words, const SymState& start);
+  Decoded steps_of(const Understanding& understanding, double confidence);
+  // What is done or asked instead of a refusal.
+  Decoded guessed(const StepInput& input, const std::vector<std::string>& words, const SymState& start,
+                  const RobotLanguage::Reading& refused, Error refusal);
 
   RankerParts parts_;
   std::unique_ptr<RobotLanguage> robot_;  // refers to parts_.symbols
@@ -69,6 +73,7 @@ class RankerModel : public GoalModel {
   Signs signs_{};
   std::uint64_t decoded_for_ = 0;  // fingerprint of the input that decoded_ answers
   Decoded decoded_;
+  std::string offered_;  // what the last message was guessed to mean; "yes" is the answer to that
 };
 
 }  // namespace goalnet::inference

@@ -14,7 +14,7 @@ class CoverageTest : public InstructionFixture {
                                  const std::string& thing) {
     const auto run = follow(room, sentence);
     EXPECT_TRUE(run.refused) << sentence;
-    EXPECT_EQ(run.message, "it is not clear what to do with " + thing) << sentence;
+    EXPECT_TRUE(run.message.starts_with("it is not clear what to do with " + thing)) << run.message;
   }
 };
 

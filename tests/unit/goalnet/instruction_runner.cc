@@ -75,7 +75,10 @@ InstructionRunner::InstructionRunner() {
   if (!domain) throw std::runtime_error(domain.error().message);
   domain_ = std::make_unique<planner::Domain>(std::move(*domain));
   planner_ = std::make_unique<planner::Planner>(*domain_);
-  std::ifstream file(source + "/tests/data/instructions/worlds.json");
+}
+
+Rooms::Rooms() {
+  std::ifstream file(std::string(GOALNET_SOURCE_DIR) + "/tests/data/instructions/worlds.json");
   const auto rooms = nlohmann::json::parse(file);
   for (const auto& [name, room] : rooms.items()) {
     WorldState& world = rooms_[name];
@@ -86,7 +89,7 @@ InstructionRunner::InstructionRunner() {
   }
 }
 
-WorldState InstructionRunner::room(const std::string& name, const std::string& changes) const {
+WorldState Rooms::room(const std::string& name, const std::string& changes) const {
   WorldState world = rooms_.at(name);
   for (const auto& [text, add] : signed_facts(changes)) {
     const Predicate fact = *parse_predicate(text);
@@ -110,7 +113,7 @@ WorldState InstructionRunner::furnished(const WorldState& recorded) const {
   };
   WorldState room;
   std::ptrdiff_t most = 0;
-  for (const auto& [name, other] : rooms_) {
+  for (const auto& [name, other] : rooms_.all()) {
     const auto common = std::count_if(other.objects.begin(), other.objects.end(),
                                       [&](const std::string& object) { return has(recorded, object); });
     if (common > most) most = common, room = other;

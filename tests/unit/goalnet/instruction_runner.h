@@ -21,15 +21,28 @@ bool reached(const std::string& goal, const FactSet& facts);
 // The cells of each line that is no comment.
 std::vector<std::vector<std::string>> read_rows(const std::string& path);
 
+// The rooms of tests/data/instructions/worlds.json.
+class Rooms {
+ public:
+  Rooms();  // Throws.
+  // A room with changes: "(On Mug_1 Sink)" is added, "!(On Mug_1 Counter_1)" removed; what is held stands
+  // nowhere.
+  WorldState room(const std::string& name, const std::string& changes) const;
+  const std::map<std::string, WorldState>& all() const { return rooms_; }
+
+ private:
+  std::map<std::string, WorldState> rooms_;
+};
+
 class InstructionRunner {
  public:
   // Loads the shipped model, the household domain and the rooms of tests/data/instructions/worlds.json.
   // Throws.
   InstructionRunner();
 
-  // A room with changes: "(On Mug_1 Sink)" is added, "!(On Mug_1 Counter_1)" removed; what is held stands
-  // nowhere.
-  WorldState room(const std::string& name, const std::string& changes) const;
+  WorldState room(const std::string& name, const std::string& changes) const {
+    return rooms_.room(name, changes);
+  }
 
   // A recorded world with all that stands in the room, where it stands: recordings list only what their facts
   // speak of.
@@ -52,7 +65,7 @@ class InstructionRunner {
   std::unique_ptr<GoalModel> model_;
   std::unique_ptr<planner::Domain> domain_;
   std::unique_ptr<planner::Planner> planner_;
-  std::map<std::string, WorldState> rooms_;
+  Rooms rooms_;
 };
 
 }  // namespace goalnet::inference

@@ -42,6 +42,7 @@ std::string changes(const FactSet& before, const FactSet& after) {
 
 struct Counts {
   int sensible = 0, reached = 0, refused = 0, nonsense = 0, nonsense_refused = 0;
+  int offered = 0, offered_right = 0;  // of the refused: "did you mean ...?", and "yes" reaches the goal
 };
 
 std::string joined(const std::vector<std::string>& tokens) {
@@ -66,9 +67,16 @@ void report(InstructionRunner& runner, const RobotLanguage& language, std::vecto
     ++counts.nonsense, counts.nonsense_refused += run.refused;
   else if (!row[2].empty())
     ++counts.sensible, counts.reached += good, counts.refused += run.refused;
+  const bool offered = run.refused && run.message.find("did you mean") != std::string::npos;
+  bool meant = false;
+  if (offered && !nonsense && !row[2].empty()) {
+    meant = reached(row[2], runner.follow(world, "yes").facts);
+    ++counts.offered, counts.offered_right += meant;
+  }
   if (good && !all && !row[2].empty()) return;
   std::printf("%s  %s | %s\n",
               good          ? "ok     "
+              : meant       ? "OFFERED"
               : run.refused ? "REFUSED"
                             : "WRONG  ",
               row[0].c_str(), row[1].c_str());
@@ -188,9 +196,11 @@ int main(int argc, char** argv) {
     for (const auto& row : read_rows(argv[1]))
       if (row.size() > 1)
         report(runner, **language, row, argc > 2 && std::strcmp(argv[2], "--all") == 0, counts);
-    std::printf("sensible: %d of %d reached, %d refused, %d wrong; nonsense: %d of %d refused\n",
-                counts.reached, counts.sensible, counts.refused,
-                counts.sensible - counts.reached - counts.refused, counts.nonsense_refused, counts.nonsense);
+    std::printf(
+        "sensible: %d of %d reached, %d refused, %d wrong; nonsense: %d of %d refused\n"
+        "of the refused %d were asked whether they meant something: %d did\n",
+        counts.reached, counts.sensible, counts.refused, counts.sensible - counts.reached - counts.refused,
+        counts.nonsense_refused, counts.nonsense, counts.offered, counts.offered_right);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
