@@ -76,6 +76,15 @@ TEST(Tell, CarriesOutRefusesAndCancels) {
   EXPECT_THAT(refused.exit_code, testing::AnyOf(10, 11)) << refused.out;
   EXPECT_THAT(refused.out, HasSubstr("0 actions"));
 
+  // What was most likely meant is offered; "yes" takes the offer, once.
+  const ProcessResult asked = tell({"why is the tap still on?"});
+  EXPECT_EQ(asked.exit_code, 10) << asked.out;
+  EXPECT_THAT(asked.out, HasSubstr("did you mean \"turn off the tap\"?"));
+  const ProcessResult yes = tell({"--json", "yes, please"});
+  EXPECT_EQ(yes.exit_code, 0) << yes.out;
+  EXPECT_THAT(nlohmann::json::parse(yes.out).at("facts_removed"), Contains("(state SinkKnob TapIsOn)"));
+  EXPECT_EQ(tell({"yes"}).exit_code, 10);
+
   robot.slow_down();
   const auto cancelled = telling("put the kettle on the stove");
   ASSERT_TRUE(cancelled->wait_for_text("✓ moveto Kettle", 60s));
@@ -86,7 +95,7 @@ TEST(Tell, CarriesOutRefusesAndCancels) {
   EXPECT_EQ(end.exit_code, 22) << end.out << end.err;
   EXPECT_THAT(end.out, HasSubstr("cancelled"));
 
-  const auto left = telling("turn off the tap");
+  const auto left = telling("turn on the tap");
   ASSERT_TRUE(left->wait_for_text("plan  ", 60s));
   robot.leave();
   const Robot again;  // up at once, but it knows nothing of what the first one was told
