@@ -8,10 +8,14 @@
 namespace goalnet::inference::gist {
 namespace {
 
+constexpr std::size_t kLongestPattern = 10;  // words
+
 class Collector {
  public:
   Collector(const Message& message, const Request& request)
-      : message_(message), request_(request), ask_(std::to_string(static_cast<int>(request.ask))) {}
+      : message_(message),
+        request_(request),
+        ask_(std::to_string(static_cast<int>(request.ask)) + (request.view == 0 ? "" : " rewritten")) {}
 
   std::vector<std::uint32_t> collect() {
     add({"ask"});
@@ -26,6 +30,7 @@ class Collector {
     std::set<std::string> all(message_.words.begin(), message_.words.end());
     all.insert(message_.sorts.begin(), message_.sorts.end());
     for (const std::string& word : all) add({"word", word});
+    if (request_.thing >= 0) pattern();
     return std::move(result_);
   }
 
@@ -123,6 +128,28 @@ class Collector {
       if (message_.sorts[i].starts_with("verb")) verb = message_.sorts[i];
     add({"verb", verb});
     add({"verb", verb, request_.thing_class});
+  }
+
+  // The sentence with its names left out: "put X in Y".
+  void pattern() {
+    const Named& thing = message_.named[static_cast<std::size_t>(request_.thing)];
+    std::size_t from = thing.begin, to = thing.end;
+    while (from > 0 && message_.words[from - 1] != ".") --from;
+    while (to < message_.words.size() && message_.words[to] != ".") ++to;
+    if (to - from > kLongestPattern) return;
+    std::string text;
+    for (std::size_t i = from; i < to;) {
+      const auto name = std::find_if(message_.named.begin(), message_.named.end(),
+                                     [&](const Named& one) { return one.begin == i; });
+      const int index = static_cast<int>(name - message_.named.begin());
+      if (name == message_.named.end()) {
+        text += message_.words[i++] + " ";
+        continue;
+      }
+      text += index == request_.thing ? "X " : index == request_.other ? "Y " : "Z ";
+      i = name->end;
+    }
+    add({"pattern", text});
   }
 
   // Whether anything else could be where it goes.

@@ -8,7 +8,7 @@
 
 namespace goalnet::inference::gist {
 
-inline constexpr std::size_t kFeatures = 1u << 17;  // hashed
+inline constexpr std::size_t kFeatures = 1u << 18;  // hashed
 
 // Numbers below kFeatures.
 std::vector<std::uint32_t> features(const Message& message, const Request& request);

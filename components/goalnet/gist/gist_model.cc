@@ -32,22 +32,28 @@ float GistModel::score(std::span<const std::uint32_t> features) const {
   return sum;
 }
 
-Likely GistModel::likely(const Message& message, std::vector<Request> requests) const {
+Likely GistModel::likely(const Views& views) const {
   struct Best {
     float score;
     const Request* request;
   };
-  std::map<std::string, Best> by_what;
-  for (const Request& request : requests) {
-    const float value = score(features(message, request));
-    const auto [at, fresh] = by_what.try_emplace(request.what, Best{value, &request});
-    if (!fresh && value > at->second.score) at->second = {value, &request};
-  }
+  std::map<std::string, std::vector<Best>> by_what;  // one of each view that has it
+  for (const View& view : views)
+    for (const Request& request : view.requests) {
+      const float value = score(features(view.message, request));
+      std::vector<Best>& best = by_what[request.what];
+      if (best.empty() || best.back().request->view != request.view)
+        best.push_back({value, &request});
+      else if (value > best.back().score)
+        best.back() = {value, &request};
+    }
   double log_probability = 0;
   std::vector<Request> asked;
   for (const auto& [what, best] : by_what) {
-    log_probability -= std::log1p(std::exp(-std::abs(static_cast<double>(best.score))));
-    if (best.score > 0) asked.push_back(*best.request);
+    double mean = 0;
+    for (const Best& one : best) mean += one.score / static_cast<double>(best.size());
+    log_probability -= std::log1p(std::exp(-std::abs(mean)));
+    if (mean > 0) asked.push_back(*best.front().request);
   }
   std::stable_sort(asked.begin(), asked.end(), [](const Request& a, const Request& b) {
     return std::pair(a.ask, a.thing) < std::pair(b.ask, b.thing);

@@ -23,7 +23,8 @@ class GistModel {
   explicit GistModel(std::vector<float> weights) : weights_(std::move(weights)) {}
   Expected<void> save(const std::string& path, const std::string& made_by) const;
 
-  Likely likely(const Message& message, std::vector<Request> requests) const;
+  // Of each view the likeliest request of those that want the same; the views' scores are averaged.
+  Likely likely(const Views& views) const;
   float score(std::span<const std::uint32_t> features) const;
 
  private:

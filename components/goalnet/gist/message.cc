@@ -70,12 +70,12 @@ Message see_message(const std::vector<std::string>& tokens, const Instruction& h
                     const Language& language) {
   Message message;
   message.spoken = tokens;
-  for (const std::string& token : tokens) {
+  for (const std::string& token : message.spoken) {
     message.words.push_back(base_form(token, lexicon, language));
     message.sorts.push_back(sort_of(token, message.words.back(), lexicon, language));
   }
-  for (std::size_t i = 0; i < tokens.size();) {
-    std::size_t length = std::min(kMostWordsOfName, tokens.size() - i);
+  for (std::size_t i = 0; i < message.spoken.size();) {
+    std::size_t length = std::min(kMostWordsOfName, message.spoken.size() - i);
     for (; length > 0; --length) {
       std::string phrase;
       for (std::size_t k = i; k < i + length; ++k) phrase += (k == i ? "" : " ") + message.words[k];

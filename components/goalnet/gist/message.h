@@ -19,15 +19,15 @@ struct Named {
 };
 
 struct Message {
-  std::vector<std::string> spoken;  // as tokenize() gives them
-  std::vector<std::string> words;   // base forms: "put", "plate"; typing errors mended
+  std::vector<std::string> spoken;  // as it was given
+  std::vector<std::string> words;   // base forms of those: "put", "plate"
   // What each word is, where the word itself may never have been learned: "verb take", "action" (a verb that
   // no robot knows), "place", "thing", "kind drink", "strange" (no word known here).
   std::vector<std::string> sorts;
   std::vector<Named> named;  // in the order of the message
 };
 
-// `here`: the objects of the world (see_instruction()).
+// `tokens`: as tokenize() or normal_words() gives them; `here`: the objects of the world (see_instruction()).
 Message see_message(const std::vector<std::string>& tokens, const Instruction& here, const Lexicon& lexicon,
                     const Language& language);
 

@@ -173,10 +173,13 @@ std::string class_name(Symbol object, const Instruction& here, const Lexicon& le
   return name;
 }
 
-std::vector<Request> possible_requests(const Message& message, const Instruction& here, const SymState& start,
-                                       const Lexicon& lexicon, const Symbols& symbols) {
+std::vector<Request> possible_requests(const Message& message, int view, const Instruction& here,
+                                       const SymState& start, const Lexicon& lexicon,
+                                       const Symbols& symbols) {
   const Start known = by_class(start, here, lexicon, symbols);
-  return Finder(message, here, known, lexicon, symbols).find();
+  std::vector<Request> requests = Finder(message, here, known, lexicon, symbols).find();
+  for (Request& request : requests) request.view = view;
+  return requests;
 }
 
 }  // namespace goalnet::inference::gist

@@ -119,10 +119,11 @@ std::string one_in_words(const Message& message, const Request& request, const L
 
 }  // namespace
 
-std::string in_words(const Message& message, const std::vector<Request>& requests, const Language& language) {
+std::string in_words(const Views& views, const std::vector<Request>& requests, const Language& language) {
   std::string text;
   for (const Request& request : requests)
-    text += (text.empty() ? "" : " and ") + one_in_words(message, request, language);
+    text += (text.empty() ? "" : " and ") +
+            one_in_words(views[static_cast<std::size_t>(request.view)].message, request, language);
   return text;
 }
 

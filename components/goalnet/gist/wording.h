@@ -8,6 +8,6 @@
 
 namespace goalnet::inference::gist {
 
-std::string in_words(const Message& message, const std::vector<Request>& requests, const Language& language);
+std::string in_words(const Views& views, const std::vector<Request>& requests, const Language& language);
 
 }  // namespace goalnet::inference::gist

@@ -30,17 +30,19 @@ std::optional<RobotLanguage::Guess> RobotLanguage::guess(const std::vector<std::
   if (why.only_forbids || why.for_later || why.contradicted)
     return {};  // it was read, and nothing is to be done
   const Sight sight = see(tokens, objects, start);
-  if (sight.message.named.size() > kMostNamed) return {};
-  const gist::Likely likely = gist_.likely(sight.message, sight.requests);
+  for (const gist::View& view : sight.views)
+    if (view.message.named.size() > kMostNamed) return {};
+  const gist::Likely likely = gist_.likely(sight.views);
   if (likely.probability < kAsks || likely.requests.size() > kMostRequests) return {};
   Guess guess;
-  guess.sentence = gist::in_words(sight.message, likely.requests, *language_);
+  guess.sentence = gist::in_words(sight.views, likely.requests, *language_);
   guess.probability = likely.probability;
   const auto words = tokenize(guess.sentence, Endings::kKept);
   if (!words) return {};
   guess.reading = read(*words, objects, start, distances);
   if (!guess.reading.understanding.complete || guess.reading.understanding.macros.empty()) return {};
-  guess.sure = likely.probability >= kDoes && may_be_done_unasked(sight.message, likely, refused);
+  guess.sure =
+      likely.probability >= kDoes && may_be_done_unasked(sight.views.front().message, likely, refused);
   return guess;
 }
 
@@ -70,9 +72,11 @@ bool RobotLanguage::uses_all(const gist::Message& message, const gist::Likely& l
   using std::string_view_literals::operator""sv;
   static constexpr std::array kFrom = {"from"sv, "off"sv, "of"sv, "near"sv, "beside"sv};
   std::set<std::size_t> used;
-  for (const gist::Request& request : likely.requests)
+  for (const gist::Request& request : likely.requests) {
+    if (request.view != 0) return false;  // it names what was not said so
     for (const int index : {request.thing, request.other})
       if (index >= 0) used.insert(static_cast<std::size_t>(index));
+  }
   std::set<ClassId> things;
   for (std::size_t i = 0; i < message.named.size(); ++i) {
     const gist::Named& named = message.named[i];

@@ -87,8 +87,12 @@ RobotLanguage::Sight RobotLanguage::see(const std::vector<std::string>& tokens,
                                         const std::vector<std::string>& objects, const SymState& start) {
   Sight sight;
   sight.here = objects_here(objects);
-  sight.message = gist::see_message(tokens, sight.here, *lexicon_, *language_);
-  sight.requests = gist::possible_requests(sight.message, sight.here, start, *lexicon_, symbols_);
+  for (const auto& words : {tokens, normal_words(tokens, *language_).text}) {
+    gist::View view{gist::see_message(words, sight.here, *lexicon_, *language_), {}};
+    view.requests = gist::possible_requests(view.message, static_cast<int>(sight.views.size()), sight.here,
+                                            start, *lexicon_, symbols_);
+    sight.views.push_back(std::move(view));
+  }
   return sight;
 }
 

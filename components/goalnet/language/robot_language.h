@@ -52,9 +52,8 @@ class RobotLanguage {
                              const Distances* distances);
   // What the words are and what could be asked for, for that.
   struct Sight {
-    gist::Message message;
+    gist::Views views;
     Instruction here;
-    std::vector<gist::Request> requests;
   };
   Sight see(const std::vector<std::string>& tokens, const std::vector<std::string>& objects,
             const SymState& start);

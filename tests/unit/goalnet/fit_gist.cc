@@ -22,8 +22,9 @@
 namespace goalnet::inference {
 namespace {
 
-constexpr int kEpochs = 6;
-constexpr double kRate = 0.15, kDecay = 1e-4;
+constexpr int kEpochs = 15;
+constexpr double kRate = 0.05, kDecay = 1e-4;
+constexpr double kPower = 0.3;  // of the summed squares: frequent features learn nearly as fast as rare ones
 constexpr int kFolds = 5;
 constexpr std::size_t kBlock = 60;  // neighbouring lines are by one person: they go to one fold
 
@@ -31,9 +32,8 @@ struct Example {
   std::string sentence;
   bool senseless = false, covered = true;  // whether every wanted fact is one of the requests'
   std::set<std::string> wanted;            // Request::what
-  gist::Message message;
-  std::vector<gist::Request> requests;
-  std::vector<std::vector<std::uint32_t>> features;  // of each request
+  gist::Views views;
+  std::vector<std::vector<std::vector<std::uint32_t>>> features;  // of each request of each view
 };
 
 // What of `requests` brings a fact about; empty where nothing does.
@@ -84,10 +84,13 @@ class Fit {
     Example example;
     example.sentence = sentence;
     example.senseless = goal == "REFUSE";
-    for (const gist::Request& request : sight.requests)
-      example.features.push_back(gist::features(sight.message, request));
+    for (const gist::View& view : sight.views) {
+      auto& features = example.features.emplace_back();
+      for (const gist::Request& request : view.requests)
+        features.push_back(gist::features(view.message, request));
+    }
     if (!example.senseless) want(goal, world, sight, example);
-    example.message = std::move(sight.message), example.requests = std::move(sight.requests);
+    example.views = std::move(sight.views);
     return example;
   }
   const Language& words() const { return language_->language(); }
@@ -97,7 +100,8 @@ class Fit {
   void want(const std::string& goal, const WorldState& world, const RobotLanguage::Sight& sight,
             Example& example) {
     std::set<std::string> possible;
-    for (const gist::Request& request : sight.requests) possible.insert(request.what);
+    for (const gist::View& view : sight.views)
+      for (const gist::Request& request : view.requests) possible.insert(request.what);
     int least = -1;
     for (std::size_t begin = 0, end; begin <= goal.size(); begin = end + 3) {
       end = std::min(goal.find(" / ", begin), goal.size());
@@ -131,22 +135,25 @@ std::vector<float> learn(const std::vector<const Example*>& examples) {
   std::mt19937 random(1);
   for (int epoch = 0; epoch < kEpochs; ++epoch) {
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-    for (const Example* example : order) {
-      std::map<std::string, std::pair<double, std::size_t>> best;
-      for (std::size_t i = 0; i < example->requests.size(); ++i) {
-        const double value = score(example->features[i]);
-        const auto [at, fresh] = best.try_emplace(example->requests[i].what, value, i);
-        if (!fresh && value > at->second.first) at->second = {value, i};
-      }
-      for (const auto& [what, scored] : best) {
-        const double error = 1 / (1 + std::exp(-scored.first)) - (example->wanted.contains(what) ? 1 : 0);
-        if (std::abs(error) < 0.01) continue;
-        for (const std::uint32_t feature : example->features[scored.second]) {
-          squares[feature] += error * error;
-          weights[feature] -= kRate * (error + kDecay * weights[feature]) / std::sqrt(squares[feature]);
+    for (const Example* example : order)
+      for (std::size_t view = 0; view < example->views.size(); ++view) {
+        const std::vector<gist::Request>& requests = example->views[view].requests;
+        std::map<std::string, std::pair<double, std::size_t>> best;
+        for (std::size_t i = 0; i < requests.size(); ++i) {
+          const double value = score(example->features[view][i]);
+          const auto [at, fresh] = best.try_emplace(requests[i].what, value, i);
+          if (!fresh && value > at->second.first) at->second = {value, i};
+        }
+        for (const auto& [what, scored] : best) {
+          const double error = 1 / (1 + std::exp(-scored.first)) - (example->wanted.contains(what) ? 1 : 0);
+          if (std::abs(error) < 0.01) continue;
+          for (const std::uint32_t feature : example->features[view][scored.second]) {
+            squares[feature] += error * error;
+            weights[feature] -=
+                kRate * (error + kDecay * weights[feature]) / std::pow(squares[feature], kPower);
+          }
         }
       }
-    }
     std::fprintf(stderr, "epoch %d of %d\n", epoch + 1, kEpochs);
   }
   return {weights.begin(), weights.end()};
@@ -158,7 +165,7 @@ struct Result {
 };
 
 Result test(const gist::GistModel& model, const Example& example) {
-  const gist::Likely likely = model.likely(example.message, example.requests);
+  const gist::Likely likely = model.likely(example.views);
   std::set<std::string> found;
   for (const gist::Request& request : likely.requests) found.insert(request.what);
   return {likely.probability,
@@ -220,13 +227,13 @@ int run(int argc, char** argv) {
       row.resize(4);
       const Example example = fit.example(row[0], row[1], row[2], row[3]);
       results.push_back(test(model, example));
-      const gist::Likely likely = model.likely(example.message, example.requests);
+      const gist::Likely likely = model.likely(example.views);
       std::printf("%s %.2f %s\n     %s\n",
                   results.back().right ? "right"
                   : example.senseless  ? "none "
                                        : "WRONG",
                   likely.probability, row[1].c_str(),
-                  gist::in_words(example.message, likely.requests, fit.words()).c_str());
+                  gist::in_words(example.views, likely.requests, fit.words()).c_str());
     }
     print(argv[i], results);
   }

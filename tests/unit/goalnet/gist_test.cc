@@ -86,8 +86,8 @@ TEST(GistWording, IsReadByTheGrammar) {
     const SymState start = to_sym_state(world.facts, symbols);
     const auto sight = (*language)->see(*tokenize(sentence, Endings::kKept), world.objects, start);
     std::set<Ask> asks;
-    for (const gist::Request& request : sight.requests) {
-      const std::string words = gist::in_words(sight.message, {request}, (*language)->language());
+    for (const gist::Request& request : sight.views.front().requests) {
+      const std::string words = gist::in_words(sight.views, {request}, (*language)->language());
       const auto reading = (*language)->read(*tokenize(words, Endings::kKept), world.objects, start, nullptr);
       if (reading.understanding.complete) asks.insert(request.ask);
     }
