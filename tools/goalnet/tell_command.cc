@@ -36,6 +36,7 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  goalnet launch robot                       # in another terminal\n"
     "  goalnet tell \"fill the mug with water\"\n"
+    "  goalnet tell yes                                   when it asked \"did you mean ...?\"\n"
     "  goalnet tell --namespace /robot1 --json \"open the microwave\"\n"
     "\n"
     "The robot is found on ROS_DOMAIN_ID. Ctrl-C cancels: the robot comes to rest smoothly and this ends "
