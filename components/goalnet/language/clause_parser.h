@@ -25,9 +25,8 @@ class ClauseParser {
   class CommandEnd;
   class Correction;
   class Fragment;
-  class List;
+  class Predicate;
   class Statement;
-  class Subordinate;
   class Topic;
 
   // Each reads from word `at` and returns the first word it did not use; `end` is the end of the sentence.

@@ -1,225 +1,167 @@
 // What a statement says of its subject: "... should be on the table", "... is dirty", "... needs water in
 // it".
+#include "components/goalnet/language/clause_predicate.h"
+
 #include <algorithm>
 #include <array>
 
-#include "components/goalnet/language/clause_parser.h"
 #include "components/goalnet/language/word_groups.h"
 
 namespace goalnet::inference {
 
 using namespace word_group;
 
-namespace {
-
-bool only_told_of_tv(const Clause& clause, const NounPhrase& place) {
-  static constexpr std::array kTelevisions = {"tv"sv, "telly"sv, "television"sv};
-  return clause.mood == Mood::kStatement && place.phrase == "channel" && clause.phrases.size() == 1 &&
-         one_of(clause.phrases.front().phrase, kTelevisions);
-}
-
-// Whether the part up to `at` is a condition.
-bool under_if(const std::vector<std::string>& words, std::size_t at) {
-  static constexpr std::array kIf = {"if"sv, "unless"sv, "when"sv, "whenever"sv, "case"sv};
-  for (std::size_t i = at; i-- > 0 && words[i] != "," && words[i] != ".";)
-    if (one_of(words[i], kIf)) return true;
-  return false;
-}
-
-}  // namespace
-
 // What is said of the subject, from `at` on. `clause` is the last of the result.
 std::size_t ClauseParser::predicate(std::size_t at, std::size_t end, Clause& clause, bool desired,
                                     bool negative) {
-  std::size_t i = at;
-  const auto goes_on = [&] {  // "..., except the one on the shelf", "..., not on the couch"
-    return language_.hears_people() && i + 2 < end && words_[i] == "," && clause.mood == Mood::kCommand &&
-           (words_[i + 1] == "except" || words_[i + 1] == "not" ||
-            (words_[i + 1] == "rather" && words_[i + 2] == "than"));
+  return Predicate(*this, at, end, clause, desired, negative).read();
+}
+
+std::size_t ClauseParser::Predicate::read() {
+  static constexpr std::array<Rule, 14> kRules = {
+      &Predicate::ends,       // "(should be off) when I get back"
+      &Predicate::wished,     // "(the plate should) come down from the shelf"
+      &Predicate::told,       // "(the stove) has nothing on it"
+      &Predicate::off_place,  // "(the book must come) off the couch"
+      &Predicate::instead,    // "(should be on the table) rather than on the couch", "except the one on ..."
+      &Predicate::not_there,  // "(should be on the table), not on the stove"
+      &Predicate::at_place,   // "(should be) on the table", "(is) on channel 3"
+      &Predicate::verb,       // "(should be) put in the sink", "(is) broken"
+      &Predicate::state,      // "(should be) full of water", "(is) dirty"
+      &Predicate::should_hold,       // "(should have) water in it"
+      &Predicate::holds,             // "(one of the cups has) water in it"
+      &Predicate::on_each,           // "(every armchair should have) a pillow on it"
+      &Predicate::needs,             // "(the coffee needs) a squirt of chocolate"
+      &Predicate::with_thing_going,  // "(it is loud) with the tv going"
   };
-  while (i < end && (!language_.joins(words_[i]) || goes_on()) && words_[i] != "so") {
-    if (words_[i] == ",") ++i;
-    if (language_.hears_people() && i > at && words_[i] == "correction") return i;
-    const std::string& word = words_[i];
-    // "should be off when I get back", "should be in the sink if it is dirty"
-    static constexpr std::array kHangsOn = {"when"sv, "if"sv, "unless"sv, "as"sv, "because"sv};
-    if (language_.hears_people() && i > at && one_of(word, kHangsOn)) return i;
-    NounPhrase place;
-    if (desired && !negative && clause.mood == Mood::kStatement) {
-      const bool holds = language_.hears_people() && (word == "hold" || word == "bear") && i + 1 < end &&
-                         !clause.phrases.empty() && lexicon_->is_place_name(clause.phrases.front().phrase);
-      if (holds)  // "the shelf should hold the beer"
-        if (const std::size_t done = has_thing(i + 1, end, clause); done != i + 1) return done;
-      if (const std::size_t done = comes(i, end, clause); done != i) return done;
-      if (const std::size_t done = goes_in(i, end, clause); done != i) return done;
-      if (const std::size_t done = where_that_is(i, end, clause); done != i) return done;
-    }
-    if (!desired && clause.mood == Mood::kStatement) {
-      std::size_t done = state_of_place(i, clause);
-      if (done == i) done = holds_no(i, end, clause);
-      if (done == i) done = bears_thing(i, end, clause);
-      if (done != i) {
-        i = done;
-        continue;
-      }
-    }
-    // "must come off the couch"
-    if (language_.hears_people() && word == "off" && desired && !negative &&
-        clause.mood == Mood::kStatement && reader_.read(i + 1, end, place, true) != i + 1 && !place.person &&
-        !place.unknown) {
-      i = reader_.read(i + 1, end, place, true);
-      clause.mood = Mood::kCommand, clause.frame = Frame::kTake, clause.verb = "take";
-      place.role = Role::kSource;
-      clause.phrases.push_back(place);
-      continue;
-    }
-    if (clause.mood == Mood::kCommand)
-      if (const std::size_t done = instead_of(i, end, clause); done != i) {
-        i = done;
-        continue;
-      }
-    if (const std::size_t done = except(i, end, clause); done != i) {
-      i = done;
-      continue;
-    }
-    if (language_.hears_people() && word == "not" &&
-        clause.mood == Mood::kCommand) {  // "..., not on the stove"
-      const std::size_t done = reader_.read_place(i + 1, end, place);
-      if (done != i + 1) {
-        i = done;
-        continue;
-      }
-    }
-    if (const std::size_t done = reader_.read_place(i, end, place); done != i && !place.person) {
-      if (desired && negative) {  // should not be there: take it away
-        clause.mood = Mood::kCommand, clause.frame = Frame::kTake, clause.verb = "take";
-        place.role = Role::kSource;
-        clause.phrases.push_back(place);
-      } else if (desired) {
-        clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
-        clause.belongs = true;
-        place.role = Role::kDestination;
-        clause.phrases.push_back(place);
-      } else if (only_told_of_tv(clause, place) &&
-                 !under_if(words_, at)) {  // "the tv is on channel three" tells how it is
-        clause.state = "on";
-      } else if (place.phrase == "channel" && place.number > 0) {  // "my show is on channel 2"
-        clause.frame = Frame::kChange, clause.verb = "change", clause.wish = true;
-        place.role = Role::kDirect;
-        clause.phrases = {place};
-      } else if (!clause.phrases.empty()) {
-        clause.phrases.front().at.push_back(place);
-      }
-      i = done;
-      continue;
-    }
-    if (language_.verb(word) != Frame::kNone && (language_.participle(word) || desired) &&
-        language_.wanted_by_state(word) == Frame::kNone) {
-      if (!desired) {
-        clause.state = word;
-        ++i;
-        continue;
-      }
-      clause.mood = negative ? Mood::kForbidden : Mood::kCommand;
-      clause.frame = language_.verb(word), clause.verb = language_.verb_base(word);
-      Role role = Role::kDirect;
-      Where where = Where::kTo;
-      for (++i; i < end && !language_.joins(words_[i]);) {
-        if (language_.hears_people() && one_of(words_[i], kHangsOn)) break;
-        clause.words.push_back(words_[i]);
-        const std::size_t next = argument(i, end, clause, role, where);
-        if (next == i) break;
-        i = next;
-      }
-      return i;
-    }
-    if (clause.state.empty() &&
-        (language_.wanted_by_state(word) != Frame::kNone || language_.complaint(word) != Frame::kNone)) {
-      clause.state = word;
-      std::string wanted = word;
-      if (desired && negative) wanted = language_.opposite_state(word);
-      if (desired && !wanted.empty() && language_.wanted_by_state(wanted) != Frame::kNone) {
-        clause.mood = Mood::kCommand;
-        clause.frame = language_.wanted_by_state(wanted), clause.verb = wanted;
-        clause.state = wanted;
-      }
-      ++i;
-      if (clause.mood == Mood::kCommand && i < end && words_[i] == "of") {  // "should be full of water"
-        NounPhrase content;
-        const std::size_t done = reader_.read(i + 1, end, content);
-        content.role = Role::kWith;
-        if (done != i + 1) clause.phrases.push_back(content), i = done;
-      }
-      continue;
-    }
-    if (NounPhrase content;
-        desired && !negative && clause.mood == Mood::kStatement) {  // "should have water in it"
-      const std::size_t done = reader_.read(i, end, content);
-      const Symbol what = language_.content(content.phrase);
-      const bool liquid = what != symbol::kIceCream && what != symbol::kChocolate &&
-                          what != symbol::kVanilla && what != symbol::kSalt;
-      if (done != i && what != symbol::kNone && (liquid || !language_.hears_people())) {
-        clause.mood = Mood::kCommand, clause.frame = Frame::kFill, clause.verb = "fill";
-        content.role = Role::kWith;
-        clause.phrases.push_back(content);
-        i = done;
-        if (i + 1 < end && (words_[i] == "in" || words_[i] == "inside") && words_[i + 1] == "it") i += 2;
-        continue;
-      }
-    }
-    // "one of the cups has water in it"
-    if (NounPhrase content; language_.hears_people() && !desired && clause.mood == Mood::kStatement &&
-                            !clause.phrases.empty() && clause.phrases.front().content.empty() &&
-                            language_.holds_things(clause.phrases.front().phrase)) {
-      const std::size_t done = reader_.read(i, end, content);
-      if (done != i && done + 1 < end && (words_[done] == "in" || words_[done] == "inside") &&
-          is_pronoun(words_[done + 1]) && language_.content(content.phrase) != symbol::kNone && !negative) {
-        clause.phrases.front().content = content.phrase;
-        i = done + 2;
-        continue;
-      }
-    }
-    // "every armchair should have a pillow on it", "every cup needs a spoon in it"
-    if (NounPhrase thing;
-        desired && !negative && clause.mood == Mood::kStatement && !clause.phrases.empty()) {
-      const std::size_t done = reader_.read(i, end, thing);
-      NounPhrase on_it;
-      const std::size_t after = done == i ? i : reader_.read_place(done, end, on_it);
-      if (done != i && after != done && on_it.pronoun && !thing.pronoun && !thing.person && !thing.unknown) {
-        NounPhrase holder = clause.phrases.front();
-        holder.role = Role::kDestination, holder.where = on_it.where;
-        clause.mood = Mood::kCommand, clause.frame = Frame::kPlace, clause.verb = "put";
-        clause.phrases = {thing, holder};
-        i = after;
-        continue;
-      }
-    }
-    // "the coffee needs a squirt of chocolate", "make sure every armchair has a pillow"
-    static constexpr std::array kNeeds = {"need"sv, "want"sv, "lack"sv, "has"sv, "have"sv};
-    if (language_.hears_people() && i > 0 && one_of(words_[i - 1], kNeeds) && desired && !negative &&
-        clause.mood == Mood::kStatement)
-      if (const std::size_t done = has_thing(i, end, clause); done != i) {
-        i = done;
-        continue;
-      }
-    // "it is loud with the tv going": tells of the tv
-    if (NounPhrase thing; language_.hears_people() && word == "with" && clause.mood == Mood::kStatement) {
-      const std::size_t done = reader_.read(i + 1, end, thing);
-      if (done != i + 1 && done < end && !thing.person && !thing.unknown &&
-          (language_.wanted_by_state(words_[done]) != Frame::kNone ||
-           language_.complaint(words_[done]) != Frame::kNone)) {
-        Clause told;
-        told.mood = Mood::kStatement, told.state = words_[done];
-        told.phrases = {std::move(thing)};
-        add(std::move(told));
-        return done + 1;
-      }
-    }
+  while (i_ < end_ && (!language_.joins(word()) || goes_on()) && word() != "so") {
+    if (word() == ",") ++i_;
+    const bool read = std::ranges::any_of(kRules, [&](Rule rule) { return (this->*rule)(); });
+    if (done_) return *done_;
+    if (read) continue;
     // a new command without a join: "i cannot see it turn on the tv"
-    if (opens_command(i, end) && i > at) return i;
-    ++i;
+    if (parser_.opens_command(i_, end_) && i_ > at_) return i_;
+    ++i_;
   }
-  return i;
+  return i_;
+}
+
+// "..., except the one on the shelf", "..., not on the couch"
+bool ClauseParser::Predicate::goes_on() const {
+  return people() && i_ + 2 < end_ && word() == "," && clause_.mood == Mood::kCommand &&
+         (is(i_ + 1, "except") || is(i_ + 1, "not") || (is(i_ + 1, "rather") && is(i_ + 2, "than")));
+}
+
+bool ClauseParser::Predicate::hangs_on(std::size_t at) const {
+  static constexpr std::array kHangsOn = {"when"sv, "if"sv, "unless"sv, "as"sv, "because"sv};
+  return people() && one_of(words_[at], kHangsOn);
+}
+
+// Whether the word is a state that is wanted or complained of.
+bool ClauseParser::Predicate::states(std::size_t at) const {
+  return language_.wanted_by_state(words_[at]) != Frame::kNone ||
+         language_.complaint(words_[at]) != Frame::kNone;
+}
+
+bool ClauseParser::Predicate::went_on(std::size_t next) {
+  if (next == i_) return false;
+  i_ = next;
+  return true;
+}
+
+bool ClauseParser::Predicate::ended(std::size_t next) {
+  if (next == i_) return false;
+  done_ = next;
+  return true;
+}
+
+void ClauseParser::Predicate::command(Frame frame, const char* verb) {
+  clause_.mood = Mood::kCommand, clause_.frame = frame, clause_.verb = verb;
+}
+
+// "should be off when I get back", "should be in the sink if it is dirty"
+bool ClauseParser::Predicate::ends() {
+  if (i_ == at_ || !((people() && word() == "correction") || hangs_on(i_))) return false;
+  done_ = i_;
+  return true;
+}
+
+bool ClauseParser::Predicate::wished() {
+  if (!wants()) return false;
+  const bool hold = people() && (word() == "hold" || word() == "bear") && i_ + 1 < end_ &&
+                    !clause_.phrases.empty() && lexicon_.is_place_name(clause_.phrases.front().phrase);
+  if (hold)  // "the shelf should hold the beer"
+    if (const std::size_t done = parser_.has_thing(i_ + 1, end_, clause_); done != i_ + 1) return ended(done);
+  return ended(parser_.comes(i_, end_, clause_)) || ended(parser_.goes_in(i_, end_, clause_)) ||
+         ended(parser_.where_that_is(i_, end_, clause_));
+}
+
+bool ClauseParser::Predicate::told() {
+  if (desired_ || clause_.mood != Mood::kStatement) return false;
+  return went_on(parser_.state_of_place(i_, clause_)) || went_on(parser_.holds_no(i_, end_, clause_)) ||
+         went_on(parser_.bears_thing(i_, end_, clause_));
+}
+
+bool ClauseParser::Predicate::instead() {
+  return (clause_.mood == Mood::kCommand && went_on(parser_.instead_of(i_, end_, clause_))) ||
+         went_on(parser_.except(i_, end_, clause_));
+}
+
+bool ClauseParser::Predicate::not_there() {
+  if (!people() || word() != "not" || clause_.mood != Mood::kCommand) return false;
+  NounPhrase place;
+  const std::size_t done = reader_.read_place(i_ + 1, end_, place);
+  return done != i_ + 1 && went_on(done);
+}
+
+bool ClauseParser::Predicate::verb() {
+  if (language_.verb(word()) == Frame::kNone || !(language_.participle(word()) || desired_) ||
+      language_.wanted_by_state(word()) != Frame::kNone)
+    return false;
+  if (!desired_) {
+    clause_.state = word();
+    ++i_;
+    return true;
+  }
+  clause_.mood = negative_ ? Mood::kForbidden : Mood::kCommand;
+  clause_.frame = language_.verb(word()), clause_.verb = language_.verb_base(word());
+  ++i_;
+  arguments();
+  done_ = i_;
+  return true;
+}
+
+// Things and places behind a verb.
+void ClauseParser::Predicate::arguments() {
+  Role role = Role::kDirect;
+  Where where = Where::kTo;
+  while (i_ < end_ && !language_.joins(word()) && !hangs_on(i_)) {
+    clause_.words.push_back(word());
+    if (!went_on(parser_.argument(i_, end_, clause_, role, where))) return;
+  }
+}
+
+bool ClauseParser::Predicate::state() {
+  if (!clause_.state.empty() || !states(i_)) return false;
+  clause_.state = word();
+  std::string wanted = word();
+  if (desired_ && negative_) wanted = language_.opposite_state(word());
+  if (desired_ && !wanted.empty() && language_.wanted_by_state(wanted) != Frame::kNone) {
+    command(language_.wanted_by_state(wanted), wanted.c_str());
+    clause_.state = wanted;
+  }
+  ++i_;
+  if (clause_.mood == Mood::kCommand && is(i_, "of")) full_of();
+  return true;
+}
+
+// "should be full of water"
+void ClauseParser::Predicate::full_of() {
+  NounPhrase content;
+  const std::size_t done = reader_.read(i_ + 1, end_, content);
+  if (done == i_ + 1) return;
+  content.role = Role::kWith;
+  clause_.phrases.push_back(content), i_ = done;
 }
 
 }  // namespace goalnet::inference

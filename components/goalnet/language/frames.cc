@@ -68,14 +68,13 @@ void command_channel_told(std::vector<Clause>& clauses, const Language& language
 }
 
 // "the mug is dirty": where nothing is asked for, what somebody who says that would like to have done
-bool command_first_wish(std::vector<Clause>& clauses, const Language& language) {
-  if (has_mood(clauses, Mood::kCommand)) return false;
+void command_first_wish(std::vector<Clause>& clauses, const Language& language) {
+  if (has_mood(clauses, Mood::kCommand)) return;
   for (Clause& clause : clauses)
     if (clause.mood == Mood::kStatement && make_wish(clause, language)) {
       clause.mood = Mood::kCommand;
-      return true;
+      return;
     }
-  return false;
 }
 
 // Why nothing is done where nothing is asked for.
@@ -115,17 +114,14 @@ std::vector<ReadCommand> add_clauses(const std::vector<Clause>& clauses, FrameAc
     // "I want to sit down, clear the couch"
     if (clause.mood != Mood::kCommand || (aside && clause.reason)) {
       actions.notice(clause);
-      result.passed_over += clause.mood != Mood::kForbidden;
       continue;
     }
-    ++result.clauses;
     const std::size_t before = actions.macros().size();
     const std::string problem = actions.add(clause);
     commands.push_back({&clause, before, actions.macros().size()});
     if (problem.empty()) continue;
     if (aside) {
       actions.notice(clause);
-      ++result.passed_over;
       continue;
     }
     result.problems.push_back(problem);
@@ -166,7 +162,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
   std::vector<Clause>& clauses = sentence.clauses;
   command_what_is_asked(clauses, language_, result);
   command_channel_told(clauses, language_, lexicon_);
-  result.indirect = command_first_wish(clauses, language_);
+  command_first_wish(clauses, language_);
   if (!sentence.problem.empty()) result.problems.push_back(sentence.problem);
   result.for_later = sentence.for_later;
   if (!has_mood(clauses, Mood::kCommand)) {

@@ -25,11 +25,7 @@ struct Understanding {
   bool no_such_number = false;        // "channel 9", "shelf 4": read, but there are fewer
   bool contradicted = false;          // "the tv is on, turn it off" where it is off: read, but it is not so
 
-  // How the reading came about; what the confidence is made of.
-  Doubts doubts;
-  int clauses = 0;        // that ask for something
-  int passed_over = 0;    // statements, questions and fragments of which nothing was made
-  bool indirect = false;  // from "I am thirsty", "the mug is dirty"
+  Doubts doubts;  // how sure the choice of objects was
 };
 
 class FrameReader {

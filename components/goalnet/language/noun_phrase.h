@@ -37,7 +37,6 @@ struct NounPhrase {
   bool hand = false;                // "in your hand"
   bool scoop = false;               // "a scoop of"
   bool alternative = false;         // after "or": only if the one before cannot be had
-  bool vague = false;               // an adjective that nothing here can tell ("shiny")
   bool joined = false;              // follows "and" after a place: "in the sink and the glass"
   bool filled_with_things = false;  // "a bowl of chips"
   bool negated = false;             // of a place: not there
@@ -76,6 +75,7 @@ class NounPhraseReader {
 
  private:
   class Opening;  // up to the head: noun_phrase_opening.h
+  class Head;     // noun_phrase_head.h
   class Behind;   // behind it: noun_phrase_behind.h
 
   std::size_t read_phrase(std::size_t at, std::size_t end, NounPhrase& phrase) const;

@@ -131,14 +131,10 @@ bool NounPhraseReader::Opening::some_of_last(int number) {
 
 // "empty", "hot"; "big" says nothing here
 bool NounPhraseReader::Opening::adjective() {
-  static constexpr std::array kNotVague = {"only"sv, "single"sv, "whole"sv, "entire"sv, "own"sv};
   const bool state = one_of(word(), kStates);
   if (!state && !one_of(word(), kVague)) return false;
   if (!determined_ && !reader_.modifier_ahead(i_, end_)) return false;
-  if (state)
-    phrase_.adjectives.push_back(word());
-  else
-    phrase_.vague = phrase_.vague || !one_of(word(), kNotVague);
+  if (state) phrase_.adjectives.push_back(word());
   return true;
 }
 

@@ -30,20 +30,11 @@ void RobotLanguage::other_readings(const std::vector<std::string>& tokens, const
       if (++tries > kMostSpellings) return;
       std::vector<std::string> spelled = tokens;
       spelled[i] = other;
-      if (makes_sense(spelled)) {
-        ++reading.words.corrected;
-        return;
-      }
+      if (makes_sense(spelled)) return;
     }
   }
-  if (const auto plain = with_known_verbs(tokens); plain != tokens && makes_sense(plain)) {
-    ++reading.words.synonyms;
-    return;
-  }
-  if (const auto plain = without_describing(tokens); plain != tokens && makes_sense(plain)) {
-    ++reading.understanding.passed_over;
-    return;
-  }
+  if (const auto plain = with_known_verbs(tokens); plain != tokens && makes_sense(plain)) return;
+  if (const auto plain = without_describing(tokens); plain != tokens && makes_sense(plain)) return;
   // Perhaps it makes sense without a part that names nothing here ("see the problem?", "left one").
   std::vector<std::string> kept;
   for (std::size_t begin = 0; begin < tokens.size();) {
@@ -54,10 +45,7 @@ void RobotLanguage::other_readings(const std::vector<std::string>& tokens, const
                   tokens.begin() + static_cast<long>(std::min(end + 1, tokens.size())));
     begin = end + 1;
   }
-  if (kept.size() < tokens.size() && !kept.empty() && makes_sense(kept)) {
-    ++reading.understanding.passed_over;
-    return;
-  }
+  if (kept.size() < tokens.size() && !kept.empty() && makes_sense(kept)) return;
   for (const auto& request : without_background(tokens)) {
     if (!makes_sense(request.words)) continue;
     // Each part that is left and surely asks for something must have been read as such.
@@ -66,10 +54,7 @@ void RobotLanguage::other_readings(const std::vector<std::string>& tokens, const
           reader.read(normal_words(less, *language_), reading.instruction, start, distances);
       return other.complete && other.macros == reading.understanding.macros;
     });
-    if (all_read) {
-      ++reading.understanding.passed_over;
-      return;
-    }
+    if (all_read) return;
     reading.understanding.complete = false;
     reading.understanding.macros.clear(), reading.understanding.steps.clear();
     reading.understanding.problems = {"it is not clear which part of that is the request; say it on its own"};

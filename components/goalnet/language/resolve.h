@@ -21,12 +21,11 @@ enum class Sort : std::uint8_t { kAny, kMovable, kPlace, kDevice, kVessel };
 using Distances = std::map<std::string, double>;
 inline constexpr double kFar = 1000.0;  // [m] where the distance is not known
 
-// How sure the choice of objects was; what the confidence is made of.
+// How sure the choice of objects was: signs of a misreading.
 struct Doubts {
   int ties = 0;     // several objects fitted equally well and nothing told which
   int loose = 0;    // what was said of an object holds for none ("the empty cup" where all are full)
   int generic = 0;  // named by a word for many kinds of things ("dish")
-  int vague = 0;    // an adjective that could not be checked ("shiny")
 };
 
 // The number at the end of a name: "Pillow_4" -> 4; 0 where there is none.

@@ -124,7 +124,6 @@ std::vector<Symbol> Resolver::options(const NounPhrase& phrase, Sort sort, const
     return a.order != b.order ? a.order < b.order : a.name < b.name;
   });
   doubts_.loose += fewest > 0;
-  doubts_.vague += phrase.vague && found.size() > 1;
   doubts_.generic += top == NameLevel::kGeneric && !phrase.everything;
   std::vector<Symbol> result;
   for (const Option& option : found) result.push_back(option.symbol);

@@ -16,14 +16,13 @@ namespace {
 constexpr std::size_t kMaxAfterRewriting = 2 * kMaxWords;  // rewriting may lengthen a sentence
 
 // "x box" -> "xbox", "micro wave" -> "microwave": two pieces that mean something only together.
-void join_pieces(std::vector<std::string>& tokens, const Language& language, int& corrected) {
+void join_pieces(std::vector<std::string>& tokens, const Language& language) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     const std::string joined = tokens[i] + tokens[i + 1];
     const bool pieces = tokens[i].size() < 2 || !language.known(tokens[i]) || !language.known(tokens[i + 1]);
     if (!pieces || joined.size() < 4 || !language.names_something(joined)) continue;
     tokens[i] = joined;
     tokens.erase(tokens.begin() + static_cast<long>(i) + 1);
-    ++corrected;
   }
 }
 
@@ -65,7 +64,7 @@ void part_numbers(std::vector<std::string>& tokens, const Language& language) {
 }
 
 // "int he sink": the blank slipped by one letter.
-void move_blanks(std::vector<std::string>& tokens, const Language& language, int& corrected) {
+void move_blanks(std::vector<std::string>& tokens, const Language& language) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     std::string &a = tokens[i], &b = tokens[i + 1];
     if (a.size() < 3 || (language.known(a) && language.known(b)) || !language.small_word(a.back() + b))
@@ -73,7 +72,6 @@ void move_blanks(std::vector<std::string>& tokens, const Language& language, int
     const std::string shorter = a.substr(0, a.size() - 1);
     if (!language.known(shorter)) continue;
     b = a.back() + b, a = shorter;
-    ++corrected;
   }
 }
 
@@ -166,14 +164,13 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
   if (language.hears_people()) drop_tags(mended, language);
   if (language.hears_people()) part_numbers(mended, language);
   drop_numbering(mended);
-  move_blanks(mended, language, words.corrected);
-  join_pieces(mended, language, words.corrected);
+  move_blanks(mended, language);
+  join_pieces(mended, language);
   std::vector<std::string> text;
   for (const std::string& token : mended) {
     if (const std::string doubled = language.hears_people() ? with_doubled(token) : std::string();
         !doubled.empty() && is_state(doubled, language) && !is_state(token, language)) {
       text.push_back(doubled);
-      ++words.corrected;
     } else if (language.known(token)) {
       text.push_back(token);
     } else if (is_sound(token, language.hears_people())) {
@@ -181,18 +178,13 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     } else if (const std::string drawled = without_drawl(token, language);
                language.hears_people() && drawled != token) {
       text.push_back(drawled);
-      ++words.corrected;
     } else if (const std::string& other = language.synonym(token); other != token) {
       text.push_back(other);
-      ++words.synonyms;
     } else if (language.hears_people() && token.size() > 4 && token.ends_with("in") &&
                language.known(token + "g")) {
       text.push_back(token + "g");  // "drippin"
-    } else if (split(token, language, text)) {
-      ++words.corrected;
-    } else {
+    } else if (!split(token, language, text)) {
       std::string mended_token = language.correct(token);
-      words.corrected += mended_token != token;
       const bool lost_s = mended_token != token && token.size() > 4 && token.back() == 's' &&
                           mended_token.back() != 's' && language.names_something(mended_token);
       text.push_back(lost_s ? mended_token + "s" : mended_token);  // "pilows" are pillows

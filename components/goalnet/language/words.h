@@ -12,8 +12,6 @@ class Language;
 struct Words {
   std::vector<std::string> text;  // singular; "." between sentences, "," between parts
   std::vector<bool> plural;       // whether the word was one
-  int corrected = 0;              // words that were mended
-  int synonyms = 0;               // words that were replaced by a known one
 };
 
 // From what tokenize() gives.
