@@ -1,6 +1,7 @@
 #include "components/goalnet/language/ellipsis.h"
 
 #include <algorithm>
+#include <array>
 
 #include "components/goalnet/language/ellipsis_parts.h"
 #include "components/goalnet/language/noun_phrase.h"
@@ -93,106 +94,160 @@ class Filler {
            one_of(words_.text[order.content + 1], kAllOfThem);
   }
 
+  // A part of the sentence and the one behind it.
+  struct Pair {
+    const std::vector<Span>& spans;
+    std::size_t at;
+    bool sentence_start, ends;  // whether another begins behind them
+    const Span& one() const { return spans[at]; }
+    const Span& two() const { return spans[at + 1]; }
+  };
+  using Rule = bool (Filler::*)(const PartReader&, const Pair&);
+
+  // Fills in what is left out in one place; false where nothing is.
   bool change() {
+    static constexpr std::array<Rule, 9> kRules = {
+        &Filler::thing_and_place, &Filler::shared_out,      &Filler::temperature,
+        &Filler::verb_and_thing,  &Filler::list_for_all,    &Filler::those_listed,
+        &Filler::thing_and_verb,  &Filler::switched_device, &Filler::place_of_what_is_told};
     const PartReader reader(words_, language_, lexicon_);
     const std::vector<Span> spans = reader.spans();
     bool own = true;  // nothing before in this sentence could be the verb of what follows
     for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
-      const Span &one = spans[i], &two = spans[i + 1];
-      const bool sentence_start = one.begin == 0 || words_.text[one.begin - 1] == ".";
+      const bool sentence_start = spans[i].begin == 0 || words_.text[spans[i].begin - 1] == ".";
       own = sentence_start || (own && i > 0 && spans[i - 1].part != Part::kOther);
-      const bool last = i + 2 >= spans.size();
-      const bool pair_ends = last || words_.text[two.end] == "." || spans[i + 2].part == Part::kThings ||
-                             spans[i + 2].part == Part::kOther;
       if (!own) continue;
-      if (one.part == Part::kThings && two.part == Part::kPlace && pair_ends) {
-        erase(one.end);  // the pause
-        if (!two.with_preposition) insert(two.content - 1, {"to"});
-        return true;
-      }
-      if (one.part == Part::kThings && two.part == Part::kCountAtPlace) {
-        if (share_out(reader, spans, i)) return true;
-      }
-      // "need coffee. hot.", "coffee, hot, please"
-      if (one.part == Part::kThings && two.content < two.end &&
-          one_of(words_.text[two.content], kTemperatures) && two.end == two.content + 1) {
-        const std::string word = words_.text[two.content];
-        erase(two.content);
-        erase(one.end);
-        insert(one.content, {word});
-        return true;
-      }
-      // "fetch! the fork!"
-      if (one.part == Part::kVerb && two.part == Part::kThings && words_.text[one.end] == "." &&
-          one.end == one.content + 1) {
-        erase(one.end);
-        return true;
-      }
-      // "egg, fork. bring both."
-      if (one.part == Part::kThings && two.part == Part::kThings && sentence_start &&
-          words_.text[one.end] == "," && lists_for_all(spans, i + 1)) {
-        words_.text[one.end] = "and";
-        return true;
-      }
-      // "egg and fork. bring both.": those that were listed
-      if (one.part == Part::kThings && sentence_start && two.content + 1 < two.end &&
-          language_.verb(words_.text[two.content]) != Frame::kNone &&
-          one_of(words_.text[two.content + 1], kAllOfThem) &&
-          std::count(words_.text.begin() + static_cast<long>(one.content),
-                     words_.text.begin() + static_cast<long>(one.end), "and") > 0 &&
-          (two.content + 2 == two.end || reader.harmless(two.content + 2) ||
-           one_of(words_.text[two.content + 2], kParticles) ||
-           place_preposition(words_.text[two.content + 2]))) {
-        const std::vector<std::string> things(words_.text.begin() + static_cast<long>(one.content),
-                                              words_.text.begin() + static_cast<long>(one.end));
-        erase(two.content + 1);
-        insert(two.content + 1, things);
-        for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
-        return true;
-      }
-      // "the fork. give.", "desk, go"
-      if ((one.part == Part::kThings || one.part == Part::kPlace) && !one.with_preposition &&
-          two.part == Part::kVerb && (words_.text[one.end] == "." || two.end == two.content + 1)) {
-        const std::string verb = words_.text[two.content];
-        erase(two.content);
-        erase(one.end);
-        insert(one.content, {verb});
-        return true;
-      }
-      // "tap running. off."
-      if (sentence_start && reader.only_switches(two) && words_.text[one.end] == "." && pair_ends) {
-        if (const std::size_t device_end = reader.told_device(one); device_end != one.content) {
-          const std::string way = words_.text[two.content];
-          erase(two.content);
-          for (std::size_t k = device_end; k <= one.end; ++k) erase(device_end);
-          insert(one.content, {"turn", way});
-          return true;
-        }
-      }
-      // "The plate does not belong on the shelf. Counter, please.", "The ice cream is melting! Back in the
-      // freezer!"
-      if (sentence_start && one.part == Part::kOther && two.part == Part::kPlace &&
-          words_.text[one.end] == "." &&
-          language_.verb(words_.text[one.content < one.end ? one.content : one.begin]) == Frame::kNone &&
-          words_.text[one.begin] != "wish" && (reader.tells(one) || language_.asks(words_.text[one.begin]))) {
-        const bool many = std::any_of(words_.plural.begin() + static_cast<long>(one.begin),
-                                      words_.plural.begin() + static_cast<long>(one.end),
-                                      [](bool plural) { return plural; });
-        std::vector<std::string> put_it = {"put", many ? "them" : "it"};
-        if (!two.with_preposition) put_it.emplace_back("to");
-        insert(two.content, put_it);
-        return true;
-      }
+      const bool ends = i + 2 >= spans.size() || words_.text[spans[i + 1].end] == "." ||
+                        spans[i + 2].part == Part::kThings || spans[i + 2].part == Part::kOther;
+      const Pair pair{spans, i, sentence_start, ends};
+      if (std::ranges::any_of(kRules, [&](Rule rule) { return (this->*rule)(reader, pair); })) return true;
     }
-    // "the fork and the spoon both in the sink"
-    for (std::size_t i = 1; i + 1 < words_.text.size(); ++i)
+    return both_behind_a_list();
+  }
+
+  bool pause(const Span& part, const char* mark) const { return words_.text[part.end] == mark; }
+  bool is_verb(std::size_t at) const { return language_.verb(words_.text[at]) != Frame::kNone; }
+
+  // "fork. sink."
+  bool thing_and_place(const PartReader&, const Pair& pair) {
+    const Span &one = pair.one(), &two = pair.two();
+    if (one.part != Part::kThings || two.part != Part::kPlace || !pair.ends) return false;
+    erase(one.end);
+    if (!two.with_preposition) insert(two.content - 1, {"to"});
+    return true;
+  }
+
+  bool shared_out(const PartReader& reader, const Pair& pair) {
+    return pair.one().part == Part::kThings && pair.two().part == Part::kCountAtPlace &&
+           share_out(reader, pair.spans, pair.at);
+  }
+
+  // "need coffee. hot.", "coffee, hot, please"
+  bool temperature(const PartReader&, const Pair& pair) {
+    const Span &one = pair.one(), &two = pair.two();
+    if (one.part != Part::kThings || two.end != two.content + 1 ||
+        !one_of(words_.text[two.content], kTemperatures))
+      return false;
+    const std::string word = words_.text[two.content];
+    erase(two.content);
+    erase(one.end);
+    insert(one.content, {word});
+    return true;
+  }
+
+  // "fetch! the fork!"
+  bool verb_and_thing(const PartReader&, const Pair& pair) {
+    const Span& one = pair.one();
+    if (one.part != Part::kVerb || pair.two().part != Part::kThings || !pause(one, ".") ||
+        one.end != one.content + 1)
+      return false;
+    erase(one.end);
+    return true;
+  }
+
+  // "egg, fork. bring both."
+  bool list_for_all(const PartReader&, const Pair& pair) {
+    const Span& one = pair.one();
+    if (one.part != Part::kThings || pair.two().part != Part::kThings || !pair.sentence_start ||
+        !pause(one, ",") || !lists_for_all(pair.spans, pair.at + 1))
+      return false;
+    words_.text[one.end] = "and";
+    return true;
+  }
+
+  // "egg and fork. bring both.": those that were listed
+  bool those_listed(const PartReader& reader, const Pair& pair) {
+    const Span &one = pair.one(), &two = pair.two();
+    if (one.part != Part::kThings || !pair.sentence_start || two.content + 1 >= two.end ||
+        !is_verb(two.content) || !one_of(words_.text[two.content + 1], kAllOfThem))
+      return false;
+    const std::vector<std::string> things(words_.text.begin() + static_cast<long>(one.content),
+                                          words_.text.begin() + static_cast<long>(one.end));
+    const std::size_t behind = two.content + 2;
+    if (std::ranges::find(things, "and") == things.end() ||
+        !(behind == two.end || reader.harmless(behind) || one_of(words_.text[behind], kParticles) ||
+          place_preposition(words_.text[behind])))
+      return false;
+    erase(two.content + 1);
+    insert(two.content + 1, things);
+    for (std::size_t k = one.content; k <= one.end; ++k) erase(one.content);
+    return true;
+  }
+
+  // "the fork. give.", "desk, go"
+  bool thing_and_verb(const PartReader&, const Pair& pair) {
+    const Span &one = pair.one(), &two = pair.two();
+    if ((one.part != Part::kThings && one.part != Part::kPlace) || one.with_preposition ||
+        two.part != Part::kVerb || !(pause(one, ".") || two.end == two.content + 1))
+      return false;
+    const std::string verb = words_.text[two.content];
+    erase(two.content);
+    erase(one.end);
+    insert(one.content, {verb});
+    return true;
+  }
+
+  // "tap running. off."
+  bool switched_device(const PartReader& reader, const Pair& pair) {
+    const Span &one = pair.one(), &two = pair.two();
+    if (!pair.sentence_start || !reader.only_switches(two) || !pause(one, ".") || !pair.ends) return false;
+    const std::size_t device_end = reader.told_device(one);
+    if (device_end == one.content) return false;
+    const std::string way = words_.text[two.content];
+    erase(two.content);
+    for (std::size_t k = device_end; k <= one.end; ++k) erase(device_end);
+    insert(one.content, {"turn", way});
+    return true;
+  }
+
+  // "The plate does not belong on the shelf. Counter, please.", "The ice cream is melting! Back in the
+  // freezer!"
+  bool place_of_what_is_told(const PartReader& reader, const Pair& pair) {
+    const Span &one = pair.one(), &two = pair.two();
+    if (!pair.sentence_start || one.part != Part::kOther || two.part != Part::kPlace || !pause(one, ".") ||
+        is_verb(one.content < one.end ? one.content : one.begin) || words_.text[one.begin] == "wish" ||
+        !(reader.tells(one) || language_.asks(words_.text[one.begin])))
+      return false;
+    const bool many =
+        std::any_of(words_.plural.begin() + static_cast<long>(one.begin),
+                    words_.plural.begin() + static_cast<long>(one.end), [](bool plural) { return plural; });
+    std::vector<std::string> put_it = {"put", many ? "them" : "it"};
+    if (!two.with_preposition) put_it.emplace_back("to");
+    insert(two.content, put_it);
+    return true;
+  }
+
+  // "the fork and the spoon both in the sink"
+  bool both_behind_a_list() {
+    for (std::size_t i = 2; i + 1 < words_.text.size(); ++i) {
+      const std::string& before = words_.text[i - 2];
       if ((words_.text[i] == "both" || words_.text[i] == "all") && place_preposition(words_.text[i + 1]) &&
-          words_.text[i + 1] != "to" && lexicon_.is_name(words_.text[i - 1]) && i > 1 &&
-          (language_.joins(words_.text[i - 2]) || one_of(words_.text[i - 2], kArticles) ||
-           lexicon_.is_name(words_.text[i - 2]))) {
+          words_.text[i + 1] != "to" && lexicon_.is_name(words_.text[i - 1]) &&
+          (language_.joins(before) || one_of(before, kArticles) || lexicon_.is_name(before))) {
         erase(i);
         return true;
       }
+    }
     return false;
   }
 

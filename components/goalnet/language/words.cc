@@ -151,69 +151,45 @@ void in_usual_order(std::vector<std::string>& text, const Language& language) {
   short_places(text, language);
 }
 
-}  // namespace
+// A word as the grammar knows it, typing errors mended: none for a sound, two where the blank was left out.
+void add_mended(const std::string& token, const Language& language, std::vector<std::string>& text) {
+  const bool people = language.hears_people();
+  if (const std::string doubled = people ? with_doubled(token) : std::string();
+      !doubled.empty() && is_state(doubled, language) && !is_state(token, language))
+    return text.push_back(doubled);
+  if (language.known(token)) return text.push_back(token);
+  if (is_sound(token, people)) return;
+  if (const std::string drawled = without_drawl(token, language); people && drawled != token)
+    return text.push_back(drawled);
+  if (const std::string& other = language.synonym(token); other != token) return text.push_back(other);
+  if (people && token.size() > 4 && token.ends_with("in") && language.known(token + "g"))
+    return text.push_back(token + "g");  // "drippin"
+  if (split(token, language, text)) return;
+  std::string mended = language.correct(token);
+  const bool lost_s = mended != token && token.size() > 4 && token.back() == 's' && mended.back() != 's' &&
+                      language.names_something(mended);
+  text.push_back(lost_s ? mended + "s" : std::move(mended));  // "pilows" are pillows
+}
 
-Words normal_words(const std::vector<std::string>& tokens, const Language& language) {
+// What is said as people say it, before phrases are made equal.
+void as_people_say_it(std::vector<std::string>& text, const Language& language) {
+  in_usual_order(text, language);
+  mark_slips(text, language);
+  drop_thrown_in(text, language);
+  drop_relative_parts(text, language);
+  wishes_first(text);
+  last_requests(text, language);
+  needs_first(text);
+  no_places(text);
+  reasons_of_corrections(text);
+  afterthoughts_first(text);
+  not_but(text);
+  name_the_one(text, language);
+}
+
+// The words by their stems, and which of them were plural.
+Words by_stems(std::vector<std::string> text, const Language& language) {
   Words words;
-  std::vector<std::string> mended = tokens;
-  if (language.hears_people()) {
-    expand_contractions(mended, language);
-    resolve_headings(mended, language);
-    resolve_endings(mended, language);
-  }
-  if (language.hears_people()) drop_tags(mended, language);
-  if (language.hears_people()) part_numbers(mended, language);
-  drop_numbering(mended);
-  move_blanks(mended, language);
-  join_pieces(mended, language);
-  std::vector<std::string> text;
-  for (const std::string& token : mended) {
-    if (const std::string doubled = language.hears_people() ? with_doubled(token) : std::string();
-        !doubled.empty() && is_state(doubled, language) && !is_state(token, language)) {
-      text.push_back(doubled);
-    } else if (language.known(token)) {
-      text.push_back(token);
-    } else if (is_sound(token, language.hears_people())) {
-      continue;
-    } else if (const std::string drawled = without_drawl(token, language);
-               language.hears_people() && drawled != token) {
-      text.push_back(drawled);
-    } else if (const std::string& other = language.synonym(token); other != token) {
-      text.push_back(other);
-    } else if (language.hears_people() && token.size() > 4 && token.ends_with("in") &&
-               language.known(token + "g")) {
-      text.push_back(token + "g");  // "drippin"
-    } else if (!split(token, language, text)) {
-      std::string mended_token = language.correct(token);
-      const bool lost_s = mended_token != token && token.size() > 4 && token.back() == 's' &&
-                          mended_token.back() != 's' && language.names_something(mended_token);
-      text.push_back(lost_s ? mended_token + "s" : mended_token);  // "pilows" are pillows
-    }
-  }
-  if (language.hears_people()) {
-    in_usual_order(text, language);
-    mark_slips(text, language);
-    drop_thrown_in(text, language);
-    drop_relative_parts(text, language);
-    wishes_first(text);
-    last_requests(text, language);
-    needs_first(text);
-    no_places(text);
-    reasons_of_corrections(text);
-    afterthoughts_first(text);
-    not_but(text);
-    name_the_one(text, language);
-  }
-  say_plainly(text, language);
-  // Rules may speak of where a sentence begins and ends.
-  if (text.empty() || text.back() != ".") text.emplace_back(".");
-  text.insert(text.begin(), ".");
-  text = language.rewrite(std::move(text), kMaxAfterRewriting);
-  if (language.hears_people()) wished_past(text);
-  if (language.hears_people()) repeat_the_wish(text, language);
-  if (language.hears_people()) supply_what_lacks(text, language);
-  if (language.hears_people()) join_pauses(text);
-  join_wishes(text);
   for (std::string& word : text) {
     std::string stem = language.keeps_its_s(word) ? word : singular(word);
     if (word == "lies" && language.hears_people()) stem = "lie";
@@ -222,6 +198,38 @@ Words normal_words(const std::vector<std::string>& tokens, const Language& langu
     words.text.push_back(std::move(stem));
   }
   return words;
+}
+
+}  // namespace
+
+Words normal_words(const std::vector<std::string>& tokens, const Language& language) {
+  std::vector<std::string> mended = tokens;
+  if (language.hears_people()) {
+    expand_contractions(mended, language);
+    resolve_headings(mended, language);
+    resolve_endings(mended, language);
+    drop_tags(mended, language);
+    part_numbers(mended, language);
+  }
+  drop_numbering(mended);
+  move_blanks(mended, language);
+  join_pieces(mended, language);
+  std::vector<std::string> text;
+  for (const std::string& token : mended) add_mended(token, language, text);
+  if (language.hears_people()) as_people_say_it(text, language);
+  say_plainly(text, language);
+  // Rules may speak of where a sentence begins and ends.
+  if (text.empty() || text.back() != ".") text.emplace_back(".");
+  text.insert(text.begin(), ".");
+  text = language.rewrite(std::move(text), kMaxAfterRewriting);
+  if (language.hears_people()) {
+    wished_past(text);
+    repeat_the_wish(text, language);
+    supply_what_lacks(text, language);
+    join_pauses(text);
+  }
+  join_wishes(text);
+  return by_stems(std::move(text), language);
 }
 
 }  // namespace goalnet::inference
