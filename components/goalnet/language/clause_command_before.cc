@@ -30,6 +30,39 @@ void ClauseParser::CommandEnd::instead_of_before() {
     before->mood = Mood::kStatement, before->frame = Frame::kNone, before->wish = false;
 }
 
+// Whether `clause_` leaves what was asked for; "books on the shelf, but leave book two": asked for but that.
+bool ClauseParser::CommandEnd::taken_back(NounPhrase& asked) const {
+  const NounPhrase& left = *clause_.first(Role::kDirect);
+  return asked.role == Role::kDirect && asked.phrase == left.phrase && asked.number == left.number &&
+         asked.ordinal == left.ordinal && asked.plural == left.plural && asked.at.empty() && left.at.empty();
+}
+
+// "book one to the shelf, and book two, no, leave book two": what is to be left is asked for no longer
+bool ClauseParser::CommandEnd::left_after_all() {
+  const NounPhrase* left = clause_.first(Role::kDirect);
+  if (!people() || clause_.verb != "leave" || clause_.mood != Mood::kCommand || left == nullptr ||
+      clause_.phrases.size() != 1 || left->phrase.empty() || (left->number == 0 && left->ordinal == 0) ||
+      !clause_.particles.empty() || clause_.to_person)
+    return false;
+  bool taken = false;
+  for (Clause& before : result_.clauses) {
+    const bool carries = before.frame == Frame::kPlace || before.frame == Frame::kTake ||
+                         before.frame == Frame::kBring || before.frame == Frame::kDiscard;
+    if (before.mood != Mood::kCommand || !carries) continue;
+    if (std::erase_if(before.phrases, [&](NounPhrase& asked) { return taken_back(asked); }) > 0) {
+      taken = true;
+      if (before.first(Role::kDirect) == nullptr) before.mood = Mood::kStatement, before.frame = Frame::kNone;
+      continue;
+    }
+    const NounPhrase* asked = before.first(Role::kDirect);
+    if (asked == nullptr || asked->phrase != left->phrase || !asked->plural || left->plural) continue;
+    before.phrases.push_back(*left);
+    before.phrases.back().role = Role::kExcept;
+    taken = true;
+  }
+  return taken;
+}
+
 // "take the drink from the fridge and put on counter": a place to put it, no thing.
 void ClauseParser::CommandEnd::behind_what_was_taken() {
   if (!people() || clause_.mood != Mood::kCommand || clause_.frame != Frame::kPlace ||

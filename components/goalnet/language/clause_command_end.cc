@@ -19,7 +19,7 @@ void ClauseParser::CommandEnd::add() {
   make_on_or_off();
   under_tap();
   // these were asked for already
-  if (on_what_channel() || back_where_it_belongs() || channel_wondered_about()) return;
+  if (on_what_channel() || back_where_it_belongs() || channel_wondered_about() || left_after_all()) return;
   only_perhaps();
   parser_.add(std::move(clause_));
 }

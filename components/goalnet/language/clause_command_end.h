@@ -22,11 +22,13 @@ class ClauseParser::CommandEnd : Rules {
   // clause_command_before.cc: what was said before it
   void there_too();
   void instead_of_before();
+  bool left_after_all();
   void behind_what_was_taken();
   bool on_what_channel();
   bool back_where_it_belongs();
   bool channel_wondered_about();
 
+  bool taken_back(NounPhrase& asked) const;
   bool ends_part() const { return at_ >= end_ || words_[at_] == ","; }
 
   Clause clause_;

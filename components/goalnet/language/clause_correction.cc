@@ -12,8 +12,9 @@ std::size_t ClauseParser::correction(std::size_t at, std::size_t end) {
 }
 
 std::size_t ClauseParser::Correction::read() {
-  static constexpr std::array<Rule, 4> kRules = {&Correction::other_way, &Correction::other_state,
-                                                 &Correction::all_of_them, &Correction::number};
+  static constexpr std::array<Rule, 5> kRules = {&Correction::from_elsewhere, &Correction::other_way,
+                                                 &Correction::other_state, &Correction::all_of_them,
+                                                 &Correction::number};
   skip_small_words();
   denied();
   skip_reason();

@@ -39,6 +39,7 @@ class ClauseParser::Correction : Rules {
   Read goes_on();
   Read same_number();
   Read in_place_of_denied();
+  Read from_elsewhere();
   Read other_source();
   void as_unknown_or_only_place();
   std::size_t in_its_place();

@@ -119,6 +119,21 @@ auto ClauseParser::Correction::in_place_of_denied() -> Read {
   return {};
 }
 
+// "move the pillow from armchair one to armchair four, I mean from armchair two"
+auto ClauseParser::Correction::from_elsewhere() -> Read {
+  NounPhrase source;
+  const std::size_t from = is(next_, "from") ? next_ + 1 : next_;  // a small word, skipped before
+  if (!people() || !is(from - 1, "from")) return {};
+  const std::size_t done = reader_.read(from, end_, source, true);
+  if (done == from || source.person || source.unknown || !parser_.ends_here(done, end_)) return {};
+  std::erase_if(last_->phrases, [](const NounPhrase& old) { return old.role == Role::kSource; });
+  for (NounPhrase& old : last_->phrases)
+    if (old.role == Role::kDirect) old.at.clear();
+  source.role = Role::kSource;
+  last_->phrases.push_back(std::move(source));
+  return done;
+}
+
 // "take the book from the couch, sorry, the shelf"
 auto ClauseParser::Correction::other_source() -> Read {
   if (!people() || role_ != Role::kDirect || !lexicon_.is_place_name(phrase_.phrase) || !phrase_.at.empty())

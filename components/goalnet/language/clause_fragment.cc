@@ -13,7 +13,7 @@ std::size_t ClauseParser::fragment(std::size_t at, std::size_t end) {
 }
 
 std::size_t ClauseParser::Fragment::read() {
-  static constexpr std::array<Rule, 23> kRules = {&Fragment::one_of_nothing,
+  static constexpr std::array<Rule, 24> kRules = {&Fragment::one_of_nothing,
                                                   &Fragment::other_than,
                                                   &Fragment::place_told_again,
                                                   &Fragment::unknown_thing,
@@ -28,6 +28,7 @@ std::size_t ClauseParser::Fragment::read() {
                                                   &Fragment::to_place,
                                                   &Fragment::in_state,
                                                   &Fragment::channel,
+                                                  &Fragment::listed_then_place,
                                                   &Fragment::content_then_place,
                                                   &Fragment::things_then_place,
                                                   &Fragment::thing_then_place,
@@ -122,7 +123,7 @@ auto ClauseParser::Fragment::place_told_again() -> Read {
 
 auto ClauseParser::Fragment::unknown_thing() -> Read {
   if (!subject_.unknown) return {};
-  result_.stray.push_back(subject_.word);
+  result_.stray.push_back(subject_.word.empty() ? words_[at_] : subject_.word);
   return std::max(i_, at_ + 1);
 }
 

@@ -42,6 +42,7 @@ class ClauseParser::Fragment : Rules {
   Read for_place();
   Read to_somebody();
   Read to_place();
+  Read listed_then_place();
   Read content_then_place();
   Read things_then_place();
   Read thing_then_place();

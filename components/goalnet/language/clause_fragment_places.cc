@@ -127,6 +127,23 @@ std::size_t ClauseParser::Fragment::topping(std::size_t at, const NounPhrase& pl
   return tops ? topped : at;
 }
 
+// "coke and ginger ale fridge": the last thing of a list and the place side by side
+auto ClauseParser::Fragment::listed_then_place() -> Read {
+  if (!people() || clause_.phrases.size() < 2 || !parser_.ends_here(i_, end_)) return {};
+  NounPhrase place = clause_.phrases.back();
+  const std::string name = place.modifier.empty() ? place.content : place.modifier;
+  if (!lexicon_.is_name(name) || lexicon_.is_place_name(name) || !lexicon_.is_place_name(place.phrase) ||
+      language_.holds_things(place.phrase))
+    return {};
+  NounPhrase last;
+  last.phrase = last.word = name, last.plural = place.modifier_plural;
+  place.modifier.clear(), place.content.clear();
+  place.role = Role::kDestination, place.where = Where::kTo;
+  clause_.phrases.back() = std::move(last);
+  clause_.phrases.push_back(std::move(place));
+  return ask(Frame::kPlace, "put", i_);
+}
+
 // "coke fridge"
 auto ClauseParser::Fragment::content_then_place() -> Read {
   if (!people() || subject_.content.empty() || !lexicon_.is_place_name(subject_.phrase) ||

@@ -18,6 +18,12 @@ bool puts_nothing(Frame frame) {
          frame == Frame::kClose || frame == Frame::kStop || frame == Frame::kStart || frame == Frame::kTurn;
 }
 
+// Frames that leave a thing where it was carried to.
+bool treats_things(Frame frame) {
+  return frame == Frame::kPour || frame == Frame::kEmpty || frame == Frame::kFill || frame == Frame::kWash ||
+         frame == Frame::kHeat;
+}
+
 bool is_direction(const std::string& word) {
   return word == "on" || word == "off" || word == "up" || word == "down";
 }
@@ -84,7 +90,8 @@ bool ClauseParser::begins_anew(std::size_t i, std::size_t next, std::size_t done
       !lexicon_->is_place_name(phrase.modifier) && ends_here(done, end))
     return true;
   NounPhrase place;
-  const bool place_behind = reader_.read_place(done, end, place) != done;
+  const std::size_t placed = reader_.read_place(done, end, place);
+  const bool place_behind = placed != done;
   // "take a beer and a coke, both to the table"
   if (phrase.pronoun && phrase.plural && comma && place_behind) return true;
   // "switch burner 4 off and burner 1 on", "channel 2, volume down"
@@ -92,6 +99,11 @@ bool ClauseParser::begins_anew(std::size_t i, std::size_t next, std::size_t done
   if (done < end && is_direction(words_[done]) &&
       (done + 1 >= end || language_.joins(words_[done + 1]) || ends_here(done + 1, end)) &&
       (has_direction || clause.frame != Frame::kTurn))
+    return true;
+  // "pour the coffee out, then mug in the sink"; "the mug in the sink" may tell which
+  if (language_.hears_people() && comma && direct && place_behind && treats_things(clause.frame) &&
+      !one_of(words_[next], kArticles) && lexicon_->is_name(phrase.phrase) && phrase.content.empty() &&
+      (place.where == Where::kIn || place.where == Where::kOn) && ends_here(placed, end))
     return true;
   // "turn off the tv, books on the shelf": the second part has no verb
   return direct && phrase.role != Role::kExcept && comma && puts_nothing(clause.frame) && place_behind;

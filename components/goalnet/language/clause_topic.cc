@@ -26,7 +26,7 @@ std::size_t ClauseParser::Topic::read() {
   definite_ = one_of(words_[at_], kArticles) || one_of(words_[at_], kPointers) || phrase_.everything;
   state();
   if (is_what_it_was()) return end_;
-  if (!is(done_, ",") || !(definite_ || named_only_ || already_)) return at_;
+  if (!is(done_, ",") || !(definite_ || named_only_ || already_ || fetched_from_there())) return at_;
   if (verb_and_place() || verb_alone()) return command_about_them();
   return then_it();
 }
@@ -115,10 +115,20 @@ bool ClauseParser::Topic::verb_and_place() const {
          (frame == Frame::kPlace || frame == Frame::kBring || frame == Frame::kTake);
 }
 
+// "book on shelf: fetch": tells which one. "coke in the glass, bring it" is a request of its own.
+bool ClauseParser::Topic::fetched_from_there() const {
+  if (!people() || phrase_.at.empty() || !is(done_, ",") || !parser_.opens_command(done_ + 1, end_))
+    return false;
+  const Frame frame = language_.verb(words_[done_ + 1]);
+  return (frame == Frame::kBring || frame == Frame::kTake) &&
+         std::none_of(phrase_.at.begin(), phrase_.at.end(),
+                      [&](const NounPhrase& place) { return language_.holds_things(place.phrase); });
+}
+
 // "beer + coke, bring here", "the bowl, wash": behind the verb only who wants it, and where
 bool ClauseParser::Topic::verb_alone() const {
   static constexpr std::array kHere = {"here"sv, "over"sv, "to"sv};
-  if (!people() || !parser_.opens_command(done_ + 1, end_) || !phrase_.at.empty() ||
+  if (!people() || !parser_.opens_command(done_ + 1, end_) || !(phrase_.at.empty() || fetched_from_there()) ||
       language_.wanted_by_state(words_[done_ + 1]) != Frame::kNone)
     return false;
   for (std::size_t k = done_ + 2; k < end_ && words_[k] != ","; ++k) {

@@ -22,6 +22,7 @@ class ClauseParser::Topic : Rules {
   bool told_of_later() const;
   bool is_what_it_was();
   bool verb_and_place() const;
+  bool fetched_from_there() const;
   bool verb_alone() const;
   bool refers(std::size_t next) const;
   bool subject_again(std::size_t next) const;

@@ -124,6 +124,7 @@ class FrameActions : public FrameContext {
   Problem put_away(const Clause& clause);
   static bool says_away(const Clause& clause);
   Problem put_by_its_kind(const Clause& clause, const Objects& objects);
+  void what_was_moved(const Clause& clause, Objects& objects) const;
   Problem stack(const Objects& objects);
   Problem insert(const Clause& clause);
 

@@ -80,6 +80,16 @@ FrameContext::Objects FrameContext::objects_of(const NounPhrase& phrase, Sort so
         if (contains(last_destination_, resolver_.place_of(object, now_))) from_there.push_back(object);
       if (!from_there.empty()) options = from_there;
     }
+  for (const NounPhrase& source :
+       clause.phrases)  // "I want to sit in armchair three, take the pillow off it"
+    if (at_home_ && source.role == Role::kSource && source.pronoun && source.word != "there" &&
+        phrase.role == Role::kDirect) {
+      const Objects there = pronoun(source, Sort::kPlace, {});
+      Objects from_it;
+      for (const Symbol object : options)
+        if (contains(there, resolver_.place_of(object, now_))) from_it.push_back(object);
+      if (!from_it.empty()) options = from_it;
+    }
   for (const NounPhrase& left_out : clause.phrases) {
     if (left_out.role != Role::kExcept) continue;
     NounPhrase these = left_out;
@@ -97,7 +107,12 @@ FrameContext::Objects FrameContext::objects_of(const NounPhrase& phrase, Sort so
   if (at_home_ && phrase.definite && !phrase.plural && !phrase.all && phrase.count == 0 &&
       phrase.number == 0 && phrase.ordinal == 0 && phrase.adjectives.empty() && phrase.role == Role::kDirect)
     for (auto spoken = history_.rbegin(); spoken != history_.rend(); ++spoken) {
-      const auto told = [&](Symbol object) { return contains(*spoken, object); };
+      // "a scoop of ice cream in the bowl, then put the ice cream back": the tub, no bowl of it
+      const Objects named = resolver_.named(phrase);
+      const bool by_name = !options.empty() && contains(named, options.front());
+      const auto told = [&](Symbol object) {
+        return contains(*spoken, object) && (!by_name || contains(named, object));
+      };
       if (std::none_of(options.begin(), options.end(), told)) continue;
       std::stable_partition(options.begin(), options.end(), told);
       break;

@@ -67,6 +67,7 @@ std::string FrameContext::not_here(Problem problem) const {
 // A name that no thing of any world has. Of an English word it is known what kind of thing that would be:
 // milk is a drink, so the drinks that are here are told; of others the nearest in spelling.
 std::string FrameContext::unknown_name(const std::string& word) const {
+  if (word.empty()) return "it is not clear what is meant";  // "put the"
   const std::string kind = language_.kind_of(word);
   if (kind.empty()) return not_here(language_.unknown_word(word));
   std::string examples;

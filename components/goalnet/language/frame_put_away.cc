@@ -10,9 +10,10 @@ std::string FrameActions::put_away(const Clause& clause) {
   const bool home = clause.has_particle("at_home"),
              back = clause.has_particle("back") || clause.verb == "return";
   Problem problem;
-  const auto objects = direct(clause, Sort::kMovable, problem);
+  auto objects = direct(clause, Sort::kMovable, problem);
   if (!problem.empty()) return problem;
   if (!says_away(clause)) return put_by_its_kind(clause, objects);
+  if (back && !home) what_was_moved(clause, objects);
   for (const Symbol object : objects) {
     const Symbol was = back && !home ? resolver_.place_of(object, start_) : Symbol{kNone};
     const Symbol place = was != kNone ? was : home_of(object);
@@ -26,6 +27,24 @@ std::string FrameActions::put_away(const Clause& clause) {
     if (problem = keep(object, place, inside ? Where::kIn : Where::kOn); !problem.empty()) return problem;
   }
   return {};
+}
+
+// "take the ice cream, put a scoop in the bowl, put it back": what is no longer where it was
+void FrameActions::what_was_moved(const Clause& clause, Objects& objects) const {
+  const NounPhrase* thing = clause.first(Role::kDirect);
+  const auto moved = [&](Symbol object) {
+    const Symbol was = resolver_.place_of(object, start_);
+    return was != kNone && resolver_.place_of(object, now_) != was;
+  };
+  if (!at_home_ || thing == nullptr || !thing->pronoun || thing->plural || objects.size() != 1 ||
+      moved(objects.front()))
+    return;
+  for (auto spoken = history_.rbegin(); spoken != history_.rend(); ++spoken)
+    for (const Symbol object : *spoken)
+      if (moved(object)) {
+        objects = {object};
+        return;
+      }
 }
 
 bool FrameActions::says_away(const Clause& clause) {

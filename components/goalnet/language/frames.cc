@@ -1,6 +1,8 @@
 #include "components/goalnet/language/frames.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "components/goalnet/language/coverage.h"
 #include "components/goalnet/language/frame_actions.h"
@@ -78,12 +80,16 @@ void command_first_wish(std::vector<Clause>& clauses, const Language& language) 
 }
 
 // Why nothing is done where nothing is asked for.
-void tell_nothing_asked(const ParsedSentence& sentence, const Language& language, Understanding& result) {
+void tell_nothing_asked(const ParsedSentence& sentence, const Words& words, const Language& language,
+                        Understanding& result) {
   result.nothing_known = true;
   result.only_forbids = has_mood(sentence.clauses, Mood::kForbidden);
   result.only_asks = sentence.wonders;
   result.question = sentence.wonders || has_mood(sentence.clauses, Mood::kQuestion);
+  static constexpr std::array<std::string_view, 2> kNothing = {"do", "nothing"};
+  const bool nothing = !std::ranges::search(words.text, kNothing).empty();
   std::string problem = result.only_forbids ? "the sentence forbids something but asks for nothing"
+                        : nothing           ? "nothing is asked for, so nothing is done"
                         : result.question
                             ? "questions cannot be answered; say what to do, for example \"bring me the mug\""
                             : "there is no verb that a robot could act on";
@@ -166,7 +172,7 @@ Understanding FrameReader::read(const Words& words, const Instruction& instructi
   if (!sentence.problem.empty()) result.problems.push_back(sentence.problem);
   result.for_later = sentence.for_later;
   if (!has_mood(clauses, Mood::kCommand)) {
-    tell_nothing_asked(sentence, language_, result);
+    tell_nothing_asked(sentence, words, language_, result);
     return result;
   }
   FrameActions actions(instruction, lexicon_, language_, symbols_, start, distances, at_home_);

@@ -123,6 +123,39 @@ bool so_request(const WordSpans& spans, std::size_t at) {
          !spans.is_one(place, {"is", "are", "has", "have", "can", "stays", "should"});
 }
 
+// "put the chips on the table open it if it is closed": the condition is only about what begins at `at`.
+bool only_this_under_if(const Sentence& words, const WordSpans& spans, std::size_t at) {
+  const std::size_t begin = spans.part_begin(at);
+  if (spans.name(at - 1) == 0 || !spans.order(at) || !spans.orders(begin, at) || hangs(words, begin, at) ||
+      !spans.is_one(at + 1, {"it", "them", "the", "my"}))
+    return false;
+  for (std::size_t k = at + 2; !spans.ends(k); ++k)
+    if (spans.order(k) || spans.is_one(k, {"and", "then"}))
+      return false;
+    else if (spans.is_one(k, {"if", "unless"}))
+      return true;
+  return false;
+}
+
+// "I want to sit there so take the pillow off it", "forget the coffee just pour it away"
+bool so_order(const WordSpans& spans, std::size_t at) {
+  return spans.is_one(at, {"so", "just"}) && spans.name(at - 1) > 0 && spans.order(at + 1) &&
+         spans.is_one(at + 2, {"it", "them", "the", "my"});
+}
+
+// "pillow three is mine put it on my armchair", "wash the plate put the mug in the sink": the next order
+// behind what nobody goes on with so.
+bool next_order(const Sentence& words, const WordSpans& spans, std::size_t begin, std::size_t at) {
+  const bool behind = spans.name(at - 1) > 0 || spans.is_one(at - 1, {"mine", "yours", "there", "here"});
+  const std::size_t first = spans.skip_small(begin);
+  if (!behind || !spans.order(at) || spans.ends(at + 1) || spans.ends(at + 2) ||
+      spans.is(at - 1, "can") ||                                    // "I can reach them"
+      spans.is_one(first, {"make", "let", "have", "get", "help"}))  // "make the microwave heat the mug"
+    return false;
+  if (spans.is_one(at + 1, {"it", "them"})) return true;
+  return spans.is_one(at + 1, {"the", "my"}) && spans.order(first) && !hangs(words, begin, at);
+}
+
 }  // namespace
 
 void drop_tags(Sentence& words, const Language& language) {
@@ -171,7 +204,9 @@ void part_run_ons(Sentence& words, const Language& language) {
     for (std::size_t k = begin; k + 1 < i; ++k)
       if (spans.is_one(k, {"so", "but", "and"})) begin = k + 1;
     // "I forgot the salt can you put some in the bowl"
-    bool pause = (asks_anew(words, spans, language, i) && !hangs_at(words, i - 1)) || so_request(spans, i);
+    bool pause = (asks_anew(words, spans, language, i) && !hangs_at(words, i - 1)) || so_request(spans, i) ||
+                 only_this_under_if(words, spans, i) || so_order(spans, i) ||
+                 next_order(words, spans, begin, i);
     const bool name_before = spans.name(i - 1) > 0 || number_word(words[i - 1]) > 0;
     if (!pause && (name_before || request_may_end(spans, i - 1))) {
       pause = tells_from(words, spans, i, name_before) && !hangs(words, begin, i);

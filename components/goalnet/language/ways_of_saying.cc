@@ -73,6 +73,12 @@ void repeat_numbered(std::vector<std::string>& text, const Language& language) {
 void ask_politely(std::vector<std::string>& text, bool hears_people) {
   constexpr std::size_t kFarthest = 9;
   static constexpr std::array kCould = {"could"sv, "would"sv, "can"sv, "might"sv, "will"sv};
+  // "I would be annoyed if the tap was on": that is what is not wanted
+  static constexpr std::array kUnwished = {
+      "shame"sv,   "pity"sv,      "waste"sv,        "disaster"sv, "nightmare"sv, "mistake"sv,
+      "bad"sv,     "terrible"sv,  "horrible"sv,     "awful"sv,    "sad"sv,       "angry"sv,
+      "annoyed"sv, "mad"sv,       "upset"sv,        "cross"sv,    "hate"sv,      "worse"sv,
+      "furious"sv, "dangerous"sv, "disappointed"sv, "not"sv,      "worried"sv};
   for (std::size_t i = 0; i + 3 < text.size(); ++i) {
     const bool opens = (text[i] == "it" || text[i] == "i" || text[i] == "that") &&
                        (text[i + 1] == "would" || text[i + 1] == "will" ||
@@ -83,6 +89,7 @@ void ask_politely(std::vector<std::string>& text, bool hears_people) {
     if (!opens && !short_for) continue;
     for (std::size_t k = i + 2; k + 1 < text.size() && k < i + kFarthest && text[k] != "," && text[k] != ".";
          ++k) {
+      if (hears_people && one_of(text[k], kUnwished)) break;
       if (text[k] != "if") continue;
       if (text[k + 1] != "you" && text[k + 1] != "someone" && text[k + 1] != "somebody") {
         if (!hears_people || text[k + 1] == "i" || text[k + 1] == "we") continue;

@@ -65,11 +65,22 @@ Sentence put(const Sentence& words, const Wanted& what, std::size_t place, std::
   return order;
 }
 
+// "take the bowl off the couch, (the coffee table is fine)": whether at the pause nothing tells where to.
+bool taken_from_somewhere(const WordSpans& spans, std::size_t pause) {
+  if (!spans.is(pause, ",") || pause == 0) return false;
+  const std::size_t begin = spans.part_begin(pause - 1);
+  bool off = false;
+  for (std::size_t k = begin; k < pause; ++k) off = off || spans.is_one(k, {"off", "from"});
+  return off && spans.orders(begin, pause);
+}
+
 // "somewhere else (,) the counter is fine" -> "to the counter"
 bool suggested(Sentence& words, const Language& language, std::size_t at) {
   const WordSpans spans(words, language);
-  const std::size_t some = spans.phrase(at, {"somewhere else", "someplace else", "somewhere", "someplace",
-                                             "anywhere else", "elsewhere", "away"});
+  std::size_t some = spans.phrase(at, {"somewhere else", "someplace else", "somewhere", "someplace",
+                                       "anywhere else", "elsewhere", "away"});
+  const bool only_taken = some == at && taken_from_somewhere(spans, at);
+  if (only_taken) some = at + 1;
   if (some == at) return false;
   std::size_t next = spans.ends(some) ? some + 1 : some;
   next = spans.phrase(next, {"maybe", "perhaps", "say", "anywhere", "i think", "so"});
@@ -81,6 +92,7 @@ bool suggested(Sentence& words, const Language& language, std::size_t at) {
   if (place == next || fine == place || !spans.ends(fine)) return false;
   Sentence to = cut(words, next, place);
   if (!place_preposition(to.front())) to.insert(to.begin(), "to");
+  if (only_taken) to.insert(to.begin(), {",", "put", "it"});
   replace(words, at, fine, to);
   return true;
 }
