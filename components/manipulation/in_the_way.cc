@@ -47,6 +47,7 @@ std::optional<InTheWay> find_in_the_way(Workbench& bench, const std::vector<Reac
                                         const StandSearchOptions& options) {
   if (bench.supposes() || reaches.empty()) return std::nullopt;
   const std::vector<std::string> away = may_go(bench);
+  if (away.empty()) return std::nullopt;
   std::optional<InTheWay> found;
   StandSearchOptions search = options;
   search.most_tries = std::min(options.most_tries, kMostTries);

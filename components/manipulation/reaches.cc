@@ -14,8 +14,18 @@ bool has_free_hand(const Workbench& bench) {
   return std::ranges::any_of(bench.held(), [](const auto& hand) { return !hand; });
 }
 
-bool is_worktop(const scene::Region& region) {
-  return region.relation == scene::RegionRelation::kOn && region.supports.front().size_y > 1.0;
+bool is_worktop(const scene::Scene& scene, const scene::Region& region) {
+  constexpr double kWide = 1.0, kRises = 0.08;  // [m]
+  const scene::Support& top = region.supports.front();
+  const auto* fixture = scene.find_fixture(region.fixture);
+  if (region.relation != scene::RegionRelation::kOn || top.size_y < kWide || fixture == nullptr) return false;
+  // Not between the arms of a couch: what stands close to one is hard to take from its side.
+  const double height = top.frame.translation().z();
+  return std::ranges::none_of(fixture->shapes, [&](const scene::Shape& shape) {
+    const bool rises = scene::bounds({shape}).upper.z() > height + kRises;
+    const double across = (top.frame.inverse() * shape.pose).translation().y();
+    return rises && std::abs(across) > top.size_y / 2;
+  });
 }
 
 const scene::Region* region_around(const Workbench& bench, const Pose& object) {

@@ -18,7 +18,7 @@ struct GraspState {
 }  // namespace
 
 // Rather a way from which the hand gets out again with the thing; rather one that the scene lists than one by
-// its shape (it lies on its side, say).
+// its shape (it lies on its side, say). Before one from which it does not, what is in the way is put aside.
 Expected<Reach> GraspSkill::find_way(Phases& phases, Workbench& bench) const {
   const std::string what = "grasp " + object_;
   StandSearchOptions options;
@@ -28,6 +28,7 @@ Expected<Reach> GraspSkill::find_way(Phases& phases, Workbench& bench) const {
   Expected<Reach> found = fail(Outcome::kMotionFailed, "");
   bool refused[2] = {false, false};  // ways that can be reached were, because the hand does not get out
   for (const bool anyhow : {false, true}) {
+    if (anyhow && bench.in_the_way()) break;
     for (const bool by_shape : {false, true}) {
       if ((by_shape && !only_.empty()) || (anyhow && !refused[by_shape])) continue;
       auto reaches = grasp_reaches(bench, object_, by_shape);

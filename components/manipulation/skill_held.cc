@@ -80,7 +80,7 @@ bool HeldSkill::receiver_may_move(const Workbench& bench) const {
   const auto* region = region_around(bench, *pose);
   const bool has_hand = has_free_hand(bench);
   if (has_hand && tilt_of(*pose) > kLies) return true;  // put down, it stands
-  return has_hand && region != nullptr && !is_worktop(*region);
+  return has_hand && region != nullptr && !is_worktop(bench.scene(), *region);
 }
 
 void HeldSkill::begin_moving(std::string thing, std::unique_ptr<Skill> put) {

@@ -29,6 +29,12 @@ bool stands_before(const Stand& stand, const scene::Fixture& fixture,
   return std::hypot(there.x(), there.y()) < kNear && std::abs(bearing) < kAhead;
 }
 
+// Large and open from above and in front: a worktop, a couch.
+bool is_wide(const scene::Region& region) {
+  constexpr double kWide = 1.0;  // [m]
+  return region.relation == scene::RegionRelation::kOn && region.supports.front().size_y > kWide;
+}
+
 // The point of a place within a fixture by which the world model judges whether it lies ahead.
 std::optional<Eigen::Vector3d> point_of(const scene::Scene& scene, const std::string& place) {
   if (scene.find_fixture(place) != nullptr) return std::nullopt;
@@ -122,7 +128,7 @@ Expected<Phases> MoveSkill::attempt(Workbench& bench, int number) {
     if (!full) wishes.push_back({grasp_reaches(bench, object_), false, before_it});
     const auto* region = region_around(bench, *pose);
     // What no hand can take now (it has fallen over) can be gone to all the same.
-    if (full || region == nullptr || is_worktop(*region))
+    if (full || region == nullptr || is_wide(*region))
       wishes.push_back({pointing_at(bench, *pose), true, before_it});
     if (region != nullptr) place = region->fixture;
   } else if (const auto ref = bench.scene().find_part(object_);

@@ -33,11 +33,11 @@ std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where w
   if (where == PlaceSkill::Where::kRegion || aside) regions = regions_of(bench.scene(), region_name);
   if (where != PlaceSkill::Where::kRegion) {
     for (const auto& region : bench.scene().regions) {
-      if (aside && !is_worktop(region)) continue;
-      // Worktops only: nobody wants what is released in the sink or on a burner.
-      if (is_worktop(region) ||
-          (region.name == region_name && region.relation == scene::RegionRelation::kOn &&
-           region.supports.front().size_y > kSmall))
+      if (aside && !is_worktop(bench.scene(), region)) continue;
+      // Worktops only: nobody wants what is released in the sink or on a burner. What goes aside may stay
+      // where it is: the fridge, say.
+      if (is_worktop(bench.scene(), region) ||
+          (region.name == region_name && region.supports.front().size_y > kSmall))
         regions.push_back(&region);
     }
   }
@@ -51,7 +51,7 @@ std::vector<PlaceCandidate> candidates_for(Workbench& bench, PlaceSkill::Where w
         const auto& p = candidate.object.translation();
         candidate.preference += std::hypot(p.x() - here.x, p.y() - here.y);
       }
-      if (aside && is_worktop(*region)) candidate.preference += kElsewhere;
+      if (aside && is_worktop(bench.scene(), *region)) candidate.preference += kElsewhere;
       out.push_back(candidate);
       origin.push_back(region);
     }

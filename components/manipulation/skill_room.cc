@@ -16,10 +16,18 @@ std::optional<std::string> may_be_put_down(const Workbench& bench, const std::se
   return std::nullopt;
 }
 
+std::set<std::string> everything(const Workbench& bench) {
+  std::set<std::string> names;
+  for (const auto& object : bench.scene().objects) names.insert(object.name);
+  return names;
+}
+
 }  // namespace
 
 RoomSkill::RoomSkill(std::unique_ptr<Skill> doing, std::set<std::string> staying, int nested, Maker again)
     : doing_(std::move(doing)), staying_(std::move(staying)), nested_(nested), again_(std::move(again)) {}
+
+bool RoomSkill::may_move_more() const { return moved_ < kMostMoved && nested_ < kMostNested; }
 
 void RoomSkill::begin_moving(const Workbench& bench, const InTheWay& what) {
   aside_ = what.things.front();
@@ -79,13 +87,13 @@ Expected<Phases> RoomSkill::attempt(Workbench& bench, int number) {
       auto phases = move(bench, number);
       if (!phases || moving_ != Moving::kNot) return phases;
     }
-    bench.set_staying(staying_);
+    bench.set_staying(may_move_more() ? staying_ : everything(bench));
     bench.note_in_the_way(std::nullopt);
     bench.note_wants_hand(false);
     auto phases = doing_->attempt(bench, failed_attempts_);
     if (phases || phases.error().outcome != Outcome::kMotionFailed) return phases;
     const auto what = bench.in_the_way();
-    if (moved_ >= kMostMoved || nested_ >= kMostNested || bench.stopped()) return phases;
+    if (!may_move_more() || bench.stopped()) return phases;
     if (!what && !bench.wants_hand()) {
       const auto thing = hindering(bench);
       if (!thing) return phases;

@@ -28,6 +28,7 @@ class RoomSkill : public Skill {
 
  private:
   enum class Moving { kNot, kTakes, kPuts };
+  bool may_move_more() const;
   void begin_moving(const Workbench& bench, const InTheWay& what);
   void begin_putting_down(const std::string& thing, const std::optional<InTheWay>& what);
   std::optional<std::string> hindering(Workbench& bench) const;
@@ -244,8 +245,8 @@ std::vector<Reach> spot_reaches(Workbench& bench, const scene::ButtonRule& spot)
 // Standing before a fixture or region, hands in front of it: for moveto.
 std::vector<Reach> front_reaches(Workbench& bench, const std::string& place);
 bool has_free_hand(const Workbench& bench);
-// Large surfaces, on which nobody minds what is put down for a while.
-bool is_worktop(const scene::Region& region);
+// Large surfaces, free all around, on which nobody minds what is put down for a while.
+bool is_worktop(const scene::Scene& scene, const scene::Region& region);
 // The region, if any, in whose supports an object is, by geometry.
 const scene::Region* region_around(const Workbench& bench, const Pose& object);
 

@@ -3,6 +3,7 @@
 
 #include "components/manipulation/phases.h"
 #include "components/manipulation/put_ways.h"
+#include "components/manipulation/skills.h"
 #include "tests/unit/manipulation/physics_room.h"
 
 namespace goalnet::manipulation {
@@ -101,6 +102,27 @@ TEST_F(UntidyKitchen, WhatHindersClosingADoorIsPutDownFirst) {
   EXPECT_TRUE(harness_->facts().contains({"On", "Bowl_1", "Counter_1"}));
 }
 
+// Between two others the hand could close around the can, but would not come out of the fridge with it.
+TEST_F(UntidyKitchen, NeighboursThatKeepAHandFromComingOutArePutAside) {
+  const auto at = [&](const std::string& name, double x, double y) {
+    Pose there = pose(name);
+    there.translation() = Eigen::Vector3d(x, y, 0.822);
+    put(name, there);
+  };
+  at("CanadaDry_1", -0.756, -2.249);
+  at("EnergyDrink_1", -0.668, -2.230);
+  at("Syrup_1", -0.707, -2.170);
+  harness_->wait(1.0);
+  for (const char* door : {"FridgeLeftDoor", "FridgeRightDoor"})
+    for (const char* step : {"moveto", "open"}) expect_done({step, {door}});
+  for (const char* step : {"moveto", "grasp"}) expect_done({step, {"CanadaDry_1"}});
+  expect_done({"moveto", {"Fridge"}});
+  expect_done({"keep-in", {"CanadaDry_1", "FridgeRight"}});
+  EXPECT_TRUE(harness_->facts().contains({"In", "CanadaDry_1", "FridgeRight"}));
+  for (const char* other : {"EnergyDrink_1", "Syrup_1"})
+    EXPECT_TRUE(harness_->facts().contains({"In", other, "FridgeLeft"})) << other << " stays in the fridge";
+}
+
 class TidyLivingRoom : public PhysicsRoom {
  protected:
   TidyLivingRoom() : PhysicsRoom("living_room", 0.5) {}
@@ -114,6 +136,20 @@ TEST_F(TidyLivingRoom, DrivesOnWithCushionsOnTheTrayAndInAHand) {
   for (const char* step : {"moveto", "grasp"}) expect_done({step, {"Pillow_2"}});
   for (const char* cushion : {"Pillow_1", "Pillow_2", "Pillow_4"})
     EXPECT_TRUE(harness_->facts().contains({"Grasping", "Robot", cushion})) << cushion;
+}
+
+// Taken from above it does not go in below a board: it is put down and taken anew, not on a couch, beside
+// whose arm no hand gets at its sides.
+TEST_F(TidyLivingRoom, ACushionIsTakenAnewForAPlaceBelowABoard) {
+  const auto& scene = harness_->bench().scene();
+  for (const char* worktop : {"Counter_1", "Studytable_1"})
+    EXPECT_TRUE(is_worktop(scene, *scene.find_region(worktop))) << worktop;
+  for (const char* other : {"Loveseat_1", "Armchair_1", "Shelf_1"})
+    EXPECT_FALSE(is_worktop(scene, *scene.find_region(other))) << other;
+  for (const char* step : {"moveto", "grasp"}) expect_done({step, {"Pillow_1"}});
+  expect_done({"moveto", {"Shelf_1"}});
+  expect_done({"keep-on", {"Pillow_1", "Shelf_1"}});
+  EXPECT_TRUE(harness_->facts().contains({"On", "Pillow_1", "Shelf_1"}));
 }
 
 // Held by its foot, so that the hand would come into the slot before it.
