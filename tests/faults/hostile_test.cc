@@ -29,7 +29,7 @@ using testing_support::Bytes;
 using testing_support::Process;
 using SteadyClock = std::chrono::steady_clock;
 
-const int kDomain = ros::program_domain(97);
+const int kDomain = ros::own_domain();
 constexpr int kFloodRate = 10'000;  // [messages/s] on each topic
 constexpr double kFloodSeconds = 1.0;
 

@@ -1,9 +1,11 @@
-// Datagrams that look like announcements of DDS participants, and like first words with one on Cyclone DDS.
+// Datagrams that look like announcements of DDS participants, and like first and last words of one on Cyclone
+// DDS.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
 #include "components/ros/detail/announcements.h"
+#include "components/ros/detail/cyclone_farewells.h"
 #include "components/ros/detail/early_heartbeats.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -13,6 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto& datagram : early.received({data, size}, {1, 0x0f})) {
     if (datagram.bytes.size() < 20) std::abort();
   }
+  if (translated_farewells({data, size}).size() > size + 20 * (size / 4)) std::abort();
   const auto announcement = read_announcement({data, size});
   if (!announcement) return 0;
   if (announcement->addresses.size() > 4) std::abort();

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing_support::Process;
 
 TEST(CycloneLoop, ReadsWhileTheRobotWorks) {
-  const std::string domain = std::to_string(test_domain(129));
+  const std::string domain = std::to_string(own_domain());
   const std::map<std::string, std::string> environment = {{"ROS_DOMAIN_ID", domain}};
   Process reader({testing_support::program("cyclone_peer"), "read", domain, "60"}, environment);
   ASSERT_TRUE(reader.wait_for_text("ready", 5s));

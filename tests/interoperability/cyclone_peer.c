@@ -3,6 +3,7 @@
  *   cyclone_peer write DOMAIN SECONDS     publishes std_msgs/String on /instruction, ten times a second
  *   cyclone_peer latch DOMAIN SECONDS     publishes one std_msgs/String of 300,000 characters, latched, on /robot_description
  *   cyclone_peer churn DOMAIN SECONDS     readers and writers on our topics, silent, then a clean exit
+ *   cyclone_peer undo DOMAIN SECONDS      a reader on /joint_states that goes after a second, while the peer stays
  */
 #define _GNU_SOURCE
 #include <dds/dds.h>
@@ -143,9 +144,19 @@ static void churn(dds_entity_t p, dds_time_t end) {
   }
 }
 
+static void undo(dds_entity_t p, dds_time_t end) {
+  const dds_entity_t joints = reader(
+      p, topic(p, &sensor_msgs_msg_JointState_desc, "sensor_msgs::msg::dds_::JointState_", "rt/joint_states"), 0, 0, 5);
+  dds_sleepfor(DDS_SECS(1));
+  check(dds_delete(joints), "delete");
+  printf("undone\n");
+  fflush(stdout);
+  while (dds_time() < end) dds_sleepfor(DDS_MSECS(20));
+}
+
 int main(int argc, char** argv) {
   if (argc != 4) {
-    fprintf(stderr, "usage: cyclone_peer read|write|latch|churn DOMAIN SECONDS\n");
+    fprintf(stderr, "usage: cyclone_peer read|write|latch|churn|undo DOMAIN SECONDS\n");
     return 2;
   }
   const dds_entity_t participant = dds_create_participant((dds_domainid_t)atoi(argv[2]), NULL, NULL);
@@ -155,6 +166,7 @@ int main(int argc, char** argv) {
   if (strcmp(argv[1], "write") == 0) write_all(participant, end);
   if (strcmp(argv[1], "latch") == 0) latch(participant, end);
   if (strcmp(argv[1], "churn") == 0) churn(participant, end);
+  if (strcmp(argv[1], "undo") == 0) undo(participant, end);
   dds_delete(participant);
   return 0;
 }

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing_support::Process;
 
-const int kDomain = test_domain(127);
+const int kDomain = own_domain();
 
 std::unique_ptr<Process> peer(const std::string& mode, const std::string& seconds,
                               bool separate_ports = false) {
@@ -116,6 +116,20 @@ TEST(Cyclone, LatchesLargeMessagesForUs) {
   EXPECT_TRUE(loop.run_for(5s, [&] { return !seen.empty(); }));
   ASSERT_EQ(seen.size(), 300'000u);
   for (std::size_t i = 0; i < seen.size(); ++i) ASSERT_EQ(seen[i], static_cast<char>('a' + i % 26)) << i;
+}
+
+// Not ten seconds after its process has gone.
+TEST(Cyclone, AReaderThatGoesIsNotWrittenTo) {
+  auto context = make_context(kDomain);
+  EventLoop loop;
+  Node node(*context, loop, plain("robot"));
+  auto joints = node.advertise<sensor_msgs::msg::JointState>("/joint_states", Qos::standard());
+  auto other = peer("undo", "30");
+  ASSERT_TRUE(joints->wait_for_subscribers(1, 10s));
+  ASSERT_TRUE(other->wait_for_text("undone", 10s));
+  loop.run_for(5s, [&] { return joints->subscriber_count() == 0; });
+  EXPECT_EQ(joints->subscriber_count(), 0u);
+  EXPECT_FALSE(other->ended());
 }
 
 TEST(Cyclone, FiftyRoundsOfPeersComingAndGoing) {

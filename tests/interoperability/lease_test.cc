@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using testing_support::Process;
 
-const int kDomain = program_domain(78);
+const int kDomain = own_domain();
 constexpr int kMostRoundsToAbort = 20'000;
 constexpr bool kAborts = FASTRTPS_VERSION_MAJOR == 2 && FASTRTPS_VERSION_MINOR == 9;
 

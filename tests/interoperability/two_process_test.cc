@@ -24,7 +24,7 @@ using example_interfaces::action::Fibonacci;
 using example_interfaces::srv::AddTwoInts;
 using testing_support::Process;
 
-const int kDomain = test_domain(128);
+const int kDomain = own_domain();
 
 struct TwoProcesses : testing::Test {
   std::string log =

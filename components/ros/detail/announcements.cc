@@ -14,27 +14,10 @@ constexpr auto kPause = std::chrono::milliseconds(40);  // between two answers t
 
 using namespace rtps_message;
 constexpr std::uint8_t kEProsima[] = {0x01, 0x0f};
-constexpr std::uint8_t kLittleEndian = 0x01, kInlineQos = 0x02, kHasData = 0x04;
-constexpr std::size_t kDataHead = 20;  // flags, offset, reader, writer, sequence number
-constexpr std::size_t kWriterId = 8;
 constexpr std::uint8_t kAnnouncer[] = {0x00, 0x01, 0x00, 0xc2};
-constexpr std::uint16_t kEndOfParameters = 1, kMetatrafficUnicastLocator = 0x32;
+constexpr std::uint16_t kMetatrafficUnicastLocator = 0x32;
 constexpr std::size_t kLocator = 24;  // kind, port, 16 bytes of address of which IPv4 uses the last four
 constexpr std::uint32_t kUdpV4 = 1;
-
-// What follows a list of parameters; nothing if it does not end.
-std::span<const std::uint8_t> after_parameters(std::span<const std::uint8_t> bytes, bool little) {
-  const Reader reader{bytes, little};
-  for (std::size_t at = 0; at + 4 <= bytes.size();) {
-    const std::uint32_t id = reader.number(at, 2);
-    const std::size_t length = reader.number(at + 2, 2);
-    at += 4;
-    if (id == kEndOfParameters) return bytes.subspan(at);
-    if (length > bytes.size() - at) break;
-    at += length;
-  }
-  return {};
-}
 
 // The payload of the announcing sample: it stands first in the message, or after a timestamp. Farewells have
 // a key instead of data.
@@ -47,7 +30,9 @@ std::span<const std::uint8_t> announcing_payload(std::span<const std::uint8_t> m
                       std::equal(std::begin(kAnnouncer), std::end(kAnnouncer), body.begin() + kWriterId);
     if (!ours) return false;
     const auto rest = body.subspan(kDataHead);
-    found = (flags & kInlineQos) != 0 ? after_parameters(rest, (flags & kLittleEndian) != 0) : rest;
+    found = (flags & kInlineQos) == 0
+                ? rest
+                : for_each_parameter(rest, (flags & kLittleEndian) != 0, [](std::uint32_t, auto) {});
     return false;
   });
   return found;
@@ -56,21 +41,17 @@ std::span<const std::uint8_t> announcing_payload(std::span<const std::uint8_t> m
 std::vector<UdpAddress> addresses_in(std::span<const std::uint8_t> payload) {
   std::vector<UdpAddress> found;
   if (payload.size() < 4) return found;
-  const Reader reader{payload, payload[1] == 3};  // PL_CDR_LE
-  for (std::size_t at = 4; at + 4 <= payload.size() && found.size() < kMostAddresses;) {
-    const std::uint32_t id = reader.number(at, 2);
-    const std::size_t length = reader.number(at + 2, 2);
-    at += 4;
-    if (id == kEndOfParameters || length > payload.size() - at) break;
-    const std::uint32_t port = length == kLocator ? reader.number(at + 4, 4) : 0;
-    if (id == kMetatrafficUnicastLocator && length == kLocator && reader.number(at, 4) == kUdpV4 &&
-        port > 0 && port <= 0xffff) {
-      UdpAddress address{{}, static_cast<std::uint16_t>(port)};
-      std::copy_n(payload.begin() + static_cast<std::ptrdiff_t>(at + 20), 4, address.ip.begin());
-      found.push_back(address);
-    }
-    at += length;
-  }
+  const bool little = payload[1] == 3;  // PL_CDR_LE
+  for_each_parameter(payload.subspan(4), little, [&](std::uint32_t id, std::span<const std::uint8_t> value) {
+    if (id != kMetatrafficUnicastLocator || value.size() != kLocator || found.size() >= kMostAddresses)
+      return;
+    const Reader reader{value, little};
+    const std::uint32_t port = reader.number(4, 4);
+    if (reader.number(0, 4) != kUdpV4 || port == 0 || port > 0xffff) return;
+    UdpAddress address{{}, static_cast<std::uint16_t>(port)};
+    std::copy_n(value.begin() + 20, 4, address.ip.begin());
+    found.push_back(address);
+  });
   return found;
 }
 

@@ -5,12 +5,16 @@
 // of the writers that tell of our endpoints. Cyclone DDS takes in announcements in another thread than
 // heartbeats: it does not know those writers yet and drops them. Fast DDS repeats them after a second. Until
 // then the newcomer sees a participant without endpoints, and a tool of ROS 2 looks for half a second.
-// Once it sends heartbeats or acknowledgments of its own to us, it knows our writers.
+// Cyclone DDS acknowledges to each of these writers on its own as soon as it knows that one: on a busy
+// machine some time may pass between the first and the last.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "components/ros/detail/rtps_message.h"
@@ -23,11 +27,12 @@ class EarlyHeartbeats {
   struct Datagram {
     std::vector<std::uint8_t> bytes;
     std::vector<UdpAddress> to;
+    bool operator==(const Datagram&) const = default;
   };
 
   // A message of ours to these addresses: kept if it is such a heartbeat.
   void sent(std::span<const std::uint8_t> message, std::span<const UdpAddress> to);
-  // A message that came for participant `own`: what its sender is to get again, once.
+  // A message that came for participant `own`: what its sender is to get again, once for each writer.
   std::vector<Datagram> received(std::span<const std::uint8_t> message, const rtps_message::Prefix& own);
 
   // Quick looks, to be asked first: could sent() or received() do anything with it?
@@ -35,9 +40,10 @@ class EarlyHeartbeats {
   static bool is_from_cyclone(std::span<const std::uint8_t> message);
 
  private:
+  using Writer = std::array<std::uint8_t, 4>;
   struct Newcomer {
-    std::vector<Datagram> datagrams;
-    bool told = false;
+    std::vector<std::pair<Writer, Datagram>> datagrams;
+    std::set<Writer> told;
   };
   std::map<rtps_message::Prefix, Newcomer> newcomers_;
 };

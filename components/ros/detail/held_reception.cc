@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <vector>
 
+#include "components/ros/detail/cyclone_farewells.h"
 #include "components/ros/detail/introduction.h"
 
 namespace goalnet::ros::detail {
@@ -50,57 +52,69 @@ class NotingIterator final : public LocatorsIterator {
 };
 #pragma GCC diagnostic pop
 
-class HeldTransport : public rtps_transport::ChainingTransport {
- public:
-  HeldTransport(const rtps_transport::ChainingTransportDescriptor& descriptor,
-                std::shared_ptr<ReceptionGate> gate, std::shared_ptr<Introduction> introduction)
-      : ChainingTransport(descriptor), gate_(std::move(gate)), introduction_(std::move(introduction)) {}
-
-  rtps_transport::TransportDescriptorInterface* get_configuration() override {
-    return low_level_transport_->get_configuration();
-  }
-
-  bool send(eprosima::fastrtps::rtps::SenderResource* lower, const octet* buffer, std::uint32_t size,
-            LocatorsIterator* begin, LocatorsIterator* end,
-            const std::chrono::steady_clock::time_point& timeout) override {
-    if (!EarlyHeartbeats::is_to_cyclone({buffer, size})) {
-      introduction_->sent({buffer, size}, {});
-      return lower->send(buffer, size, begin, end, timeout);
-    }
-    NotingIterator noting(*begin);
-    const bool sent = lower->send(buffer, size, &noting, end, timeout);
-    introduction_->sent({buffer, size}, noting.addresses());
-    return sent;
-  }
-
-  void receive(rtps_transport::TransportReceiverInterface* next, const octet* buffer, std::uint32_t size,
-               const Locator_t& local, const Locator_t& remote) override {
-    if (!passed_.load(std::memory_order_acquire)) {
-      gate_->pass();
-      passed_.store(true, std::memory_order_release);
-    }
-    next->OnDataReceived(buffer, size, local, remote);
-    introduction_->received({buffer, size});  // after Fast DDS's own answer
-  }
-
- private:
-  std::shared_ptr<ReceptionGate> gate_;
-  std::shared_ptr<Introduction> introduction_;
-  std::atomic<bool> passed_{false};
-};
-
 struct HeldDescriptor : rtps_transport::ChainingTransportDescriptor {
   HeldDescriptor(std::shared_ptr<TransportDescriptorInterface> lower, std::shared_ptr<ReceptionGate> the_gate,
                  std::shared_ptr<Introduction> the_introduction)
       : ChainingTransportDescriptor(std::move(lower)),
         gate(std::move(the_gate)),
         introduction(std::move(the_introduction)) {}
-  rtps_transport::TransportInterface* create_transport() const override {
-    return new HeldTransport(*this, gate, introduction);
-  }
+  rtps_transport::TransportInterface* create_transport() const override;
+
+  // After so many bytes a reliable writer adds a heartbeat to all readers. Fast DDS 2.9 counts what the
+  // participant has repeated since it was made, not since the last such heartbeat: beyond the size of a
+  // socket's buffer each sample that one reader asks for would be followed by a heartbeat to every reader
+  // (docs/design/076-no-flood.md). Periodic heartbeats do the work.
+  std::uint32_t min_send_buffer_size() const override { return std::numeric_limits<std::int32_t>::max(); }
+
   std::shared_ptr<ReceptionGate> gate;
   std::shared_ptr<Introduction> introduction;
 };
+
+class HeldTransport : public rtps_transport::ChainingTransport {
+ public:
+  explicit HeldTransport(const HeldDescriptor& descriptor)
+      : ChainingTransport(descriptor), descriptor_(descriptor) {}
+
+  rtps_transport::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
+
+  bool send(eprosima::fastrtps::rtps::SenderResource* lower, const octet* buffer, std::uint32_t size,
+            LocatorsIterator* begin, LocatorsIterator* end,
+            const std::chrono::steady_clock::time_point& timeout) override {
+    if (!EarlyHeartbeats::is_to_cyclone({buffer, size})) {
+      descriptor_.introduction->sent({buffer, size}, {});
+      return lower->send(buffer, size, begin, end, timeout);
+    }
+    NotingIterator noting(*begin);
+    const bool sent = lower->send(buffer, size, &noting, end, timeout);
+    descriptor_.introduction->sent({buffer, size}, noting.addresses());
+    return sent;
+  }
+
+  void receive(rtps_transport::TransportReceiverInterface* next, const octet* buffer, std::uint32_t size,
+               const Locator_t& local, const Locator_t& remote) override {
+    if (!passed_.load(std::memory_order_acquire)) {
+      descriptor_.gate->pass();
+      passed_.store(true, std::memory_order_release);
+    }
+    const auto translated = EarlyHeartbeats::is_from_cyclone({buffer, size})
+                                ? translated_farewells({buffer, size})
+                                : std::vector<std::uint8_t>();
+    if (translated.empty()) {
+      next->OnDataReceived(buffer, size, local, remote);
+    } else {
+      next->OnDataReceived(translated.data(), static_cast<std::uint32_t>(translated.size()), local, remote);
+    }
+    descriptor_.introduction->received({buffer, size});  // after Fast DDS's own answer
+  }
+
+ private:
+  HeldDescriptor descriptor_;
+  std::atomic<bool> passed_{false};
+};
+
+rtps_transport::TransportInterface* HeldDescriptor::create_transport() const {
+  return new HeldTransport(*this);
+}
 
 }  // namespace
 

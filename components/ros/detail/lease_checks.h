@@ -1,6 +1,6 @@
 // Fast DDS 2.9 ends the process (an assertion) where a participant elsewhere leaves just when the timer that
 // watches its lease fires: the timer's thread waits for the lock while the data of that participant is
-// cleared, and then asserts that it is not (docs/design/075). The function that does so is replaced by ours:
+// cleared, and then asserts that it is not (docs/design/076). The function that does so is replaced by ours:
 // the program's definition stands before that of the library.
 #pragma once
 

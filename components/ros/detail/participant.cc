@@ -11,6 +11,7 @@
 
 #include "components/ros/detail/held_reception.h"
 #include "components/ros/detail/lease_checks.h"
+#include "components/ros/detail/local_writer.h"
 #include "components/ros/detail/message_type.h"
 #include "components/ros/names.h"
 
@@ -89,12 +90,17 @@ void set_discovery(const ParticipantSettings& settings, dds::DomainParticipantQo
 // Peers without a port are tried on the ports of this many participants per host.
 constexpr std::uint32_t kPeersPerHost = 32;
 
+constexpr std::uint32_t kReceiveBuffer = 1 << 20;
+
 // What the user's XML names; else UDP only, unless shared memory is asked for: a peer that is killed leaves
 // its shared-memory port behind, and a new one on that port is not heard for seconds, sometimes never
 // (docs/design/020-udp-only.md).
 void set_transports(const ParticipantSettings& settings, dds::DomainParticipantQos& qos) {
   if (!qos.transport().user_transports.empty()) return;
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  // The kernel gives no more than net.core.rmem_max. Where many participants start at once on few processors
+  // a socket's default buffer overflows.
+  udp->receiveBufferSize = kReceiveBuffer;
   if (settings.range == Range::kLoopback) udp->interfaceWhiteList.emplace_back("127.0.0.1");
   auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
   if (settings.range == Range::kLocalhost || settings.range == Range::kLoopback ||
@@ -149,12 +155,15 @@ Expected<std::shared_ptr<Participant>> Participant::create(const ParticipantSett
   if (!lease_checks_are_ours())
     self->log_.warn(
         "Fast DDS checks leases itself here and may end this process when another one leaves "
-        "(docs/design/075): link components/ros into the program, not into a library it loads");
+        "(docs/design/076): link components/ros into the program, not into a library it loads");
   dds::DomainParticipantQos qos = participant_qos(settings);
   const auto reception = hold_reception(qos);
   self->participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
       settings.domain_id, qos, &self->listener_, dds::StatusMask::none());
-  if (self->participant_ != nullptr) self->queued_changes_ = keep_queued_changes(self->participant_->guid());
+  if (self->participant_ != nullptr) {
+    self->queued_changes_ = keep_queued_changes(self->participant_->guid());
+    tell_of_endpoints_again_soon(self->participant_->guid());
+  }
   reception->open();
   if (self->participant_ == nullptr) {
     return fail(Outcome::kInternal, "Fast DDS cannot make a participant on domain " +

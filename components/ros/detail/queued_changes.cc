@@ -1,26 +1,17 @@
 #include "components/ros/detail/queued_changes.h"
 
 #include <fastdds/rtps/common/CacheChange.h>
-#include <fastdds/rtps/writer/RTPSWriter.h>
 
 #include <mutex>
 
-namespace eprosima::fastrtps::rtps {
-
-// Of Fast DDS; in its library, in none of its installed headers.
-class RTPSDomainImpl {
- public:
-  static RTPSWriter* find_local_writer(const GUID_t& guid);
-};
-
-}  // namespace eprosima::fastrtps::rtps
+#include "components/ros/detail/local_writer.h"
 
 namespace goalnet::ros::detail {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
 std::unique_ptr<QueuedChanges> QueuedChanges::keep(const rtps::GUID_t& guid) {
-  rtps::RTPSWriter* writer = rtps::RTPSDomainImpl::find_local_writer(guid);
+  rtps::RTPSWriter* writer = local_writer(guid);
   if (writer == nullptr) return nullptr;
   std::lock_guard lock(writer->getMutex());
   if (writer->getListener() == nullptr) return nullptr;

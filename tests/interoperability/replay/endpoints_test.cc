@@ -14,7 +14,7 @@ namespace {
 
 using testing::UnorderedElementsAreArray;
 
-const int kDomain = program_domain(109);
+const int kDomain = own_domain();
 
 struct Endpoints : testing::Test {
   void SetUp() override {

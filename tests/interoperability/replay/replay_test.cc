@@ -25,7 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const int kReplayDomain = program_domain(109);
+const int kReplayDomain = own_domain();
 
 struct Decoded {
   const idl::TypeSupport* support;

@@ -1,6 +1,6 @@
 /* What a ROS 2 tool's middleware gets to know of a domain, seen by Cyclone DDS, which shares no code with goalnet:
- *   cyclone_graph DOMAIN SECONDS humble|jazzy
- * Prints every 250 ms, ended by a line "end", one line for each
+ *   cyclone_graph DOMAIN SECONDS humble|jazzy [MILLISECONDS]
+ * Prints every MILLISECONDS (250), ended by a line "end" with the seconds since the start, one line for each
  *   participant GUID NAME USER_DATA
  *   writer|reader GUID PARTICIPANT TOPIC TYPE RELIABLE TRANSIENT_LOCAL DEADLINE LIVELINESS LEASE USER_DATA
  *   node PARTICIPANT NAMESPACE NAME readers GUID… writers GUID…
@@ -123,7 +123,9 @@ PRINT_NODES(rmw_dds_common_msg_ParticipantEntitiesInfo, rmw_dds_common_msg_NodeE
 PRINT_NODES(humble_graph_ParticipantEntitiesInfo, humble_graph_NodeEntitiesInfo, 24)
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 13;
+  if (argc != 4 && argc != 5) return 13;
+  const dds_duration_t pause = DDS_MSECS(argc == 5 ? atoi(argv[4]) : 250);
+  const dds_time_t start = dds_time();
   const bool humble = strcmp(argv[3], "humble") == 0;
   const dds_entity_t participant =
       check(dds_create_participant((dds_domainid_t)atoi(argv[1]), NULL, NULL), "participant");
@@ -143,9 +145,9 @@ int main(int argc, char** argv) {
   dds_delete_qos(qos);
   printf("ready\n");
   fflush(stdout);
-  const dds_time_t end = dds_time() + (dds_time_t)(atof(argv[2]) * 1e9);
+  const dds_time_t end = start + (dds_time_t)(atof(argv[2]) * 1e9);
   while (dds_time() < end) {
-    dds_sleepfor(DDS_MSECS(250));
+    dds_sleepfor(pause);
     FOR_EACH_ALIVE(participants, print_participant(samples[i]));
     FOR_EACH_ALIVE(writers, print_endpoint("writer", samples[i]));
     FOR_EACH_ALIVE(readers, print_endpoint("reader", samples[i]));
@@ -161,7 +163,7 @@ int main(int argc, char** argv) {
       }
     }
     if (count > 0) dds_return_loan(graph, samples, count);
-    printf("end\n");
+    printf("end %.3f\n", (double)(dds_time() - start) * 1e-9);
     fflush(stdout);
   }
   dds_delete(participant);

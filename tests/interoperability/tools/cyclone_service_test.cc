@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 using example_interfaces::srv::AddTwoInts;
 using testing_support::Process;
 
-const int kDomain = test_domain(128);
+const int kDomain = own_domain();
 
 std::unique_ptr<Process> cyclone(const std::string& mode, const std::string& argument) {
   return std::make_unique<Process>(std::vector<std::string>{testing_support::program("cyclone_services"),

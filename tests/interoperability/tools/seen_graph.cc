@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace goalnet::ros {
 namespace {
@@ -66,8 +67,9 @@ bool SeenGraph::has(const SeenNode& node, const std::string& topic, const std::s
   });
 }
 
-SeenGraph fullest_graph(const std::string& output) {
-  SeenGraph best, current;
+std::vector<SeenGraph> seen_graphs(const std::string& output) {
+  std::vector<SeenGraph> graphs;
+  SeenGraph current;
   std::map<std::string, std::vector<SeenNode>> nodes;  // the last that each participant said
   std::istringstream lines(output);
   for (std::string line; std::getline(lines, line);) {
@@ -91,13 +93,19 @@ SeenGraph fullest_graph(const std::string& output) {
       const SeenNode node = read_node(words);
       nodes[node.participant].push_back(node);
     } else if (kind == "end") {
-      if (current.endpoints.size() >= best.endpoints.size()) {
-        best = current;
-        for (const auto& [participant, list] : nodes)
-          best.nodes.insert(best.nodes.end(), list.begin(), list.end());
-      }
-      current = {};
+      words >> current.seconds;
+      for (const auto& [participant, list] : nodes)
+        current.nodes.insert(current.nodes.end(), list.begin(), list.end());
+      graphs.push_back(std::exchange(current, {}));
     }
+  }
+  return graphs;
+}
+
+SeenGraph fullest_graph(const std::string& output) {
+  SeenGraph best;
+  for (SeenGraph& graph : seen_graphs(output)) {
+    if (graph.endpoints.size() >= best.endpoints.size()) best = std::move(graph);
   }
   return best;
 }

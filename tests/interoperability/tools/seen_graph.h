@@ -33,6 +33,7 @@ struct SeenGraph {
   std::map<std::string, SeenParticipant> participants;  // by GUID
   std::map<std::string, GraphEndpoint> endpoints;       // by GUID
   std::vector<SeenNode> nodes;
+  double seconds = 0.0;  // since the start of cyclone_graph
 
   std::vector<std::string> node_names() const;  // full names, sorted, doubles kept
   // Endpoints on a DDS topic.
@@ -41,7 +42,9 @@ struct SeenGraph {
   bool has(const SeenNode& node, const std::string& topic, const std::string& type, bool is_writer) const;
 };
 
-// The snapshot with the most endpoints in the output of cyclone_graph.
+// The snapshots in the output of cyclone_graph, in order.
+std::vector<SeenGraph> seen_graphs(const std::string& output);
+// The last one of those with the most endpoints.
 SeenGraph fullest_graph(const std::string& output);
 
 }  // namespace goalnet::ros

@@ -24,7 +24,7 @@ using example_interfaces::srv::AddTwoInts;
 using testing_support::Process;
 using SteadyClock = std::chrono::steady_clock;
 
-const int kDomain = program_domain(113);
+const int kDomain = own_domain();
 
 std::chrono::nanoseconds length() {
   const char* minutes = std::getenv("GOALNET_SOAK_MINUTES");

@@ -21,7 +21,7 @@ using example_interfaces::srv::AddTwoInts;
 using std_msgs::msg::String;
 using testing_support::Process;
 
-const int kDomain = program_domain(68);
+const int kDomain = own_domain();
 constexpr int kRuns = 10;
 
 // Runs one tool to its end while the loop works. Its exit code, output and time to the first result.

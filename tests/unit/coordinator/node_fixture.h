@@ -7,6 +7,7 @@
 #include "components/coordinator/status_message.h"
 #include "components/messages/conversions.h"
 #include "components/ros/action_client.h"
+#include "tests/support/domain.h"
 #include "tests/unit/coordinator/toy_world.h"
 
 namespace goalnet::coordinator {
@@ -24,7 +25,7 @@ class NodeTest : public testing::Test {
  protected:
   void start(const std::vector<std::string>& words = {}) {
     ros::ContextOptions context_options;
-    context_options.domain_id = 71;
+    context_options.domain_id = testing_support::own_domain();
     context_options.process_only = true;
     context = ros::Context::create(context_options).value();
     ros::NodeOptions options;

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -12,6 +11,7 @@
 
 #include "components/messages/conversions.h"
 #include "rosgraph_msgs/msg/Clock.h"
+#include "tests/support/domain.h"
 
 namespace goalnet::executor {
 namespace {
@@ -29,8 +29,7 @@ class ExecutorNodeTest : public testing::Test {
     std::vector<std::string> words = {"--ros-args", "--disable-stdout-logs"};
     for (const std::string& parameter : parameters) words.insert(words.end(), {"-p", parameter});
     context_ =
-        ros::Context::create({.domain_id = 150 + static_cast<int>(getpid() % 20), .process_only = true})
-            .value();
+        ros::Context::create({.domain_id = testing_support::own_domain(), .process_only = true}).value();
     node_ = ros::Node::create(*context_, loop_,
                               {.name = "executor", .arguments = ros::parse_arguments(words).value()})
                 .value();
@@ -315,7 +314,8 @@ TEST_F(ExecutorNodeTest, DeactivateWaitsUntilTheRobotStands) {
 
 TEST(ExecutorParameters, BadOnesAreRefused) {
   const auto refusal = [](const std::string& parameter) {
-    auto context = ros::Context::create({.domain_id = 171, .process_only = true}).value();
+    auto context =
+        ros::Context::create({.domain_id = testing_support::own_domain(), .process_only = true}).value();
     ros::EventLoop loop;
     auto arguments = ros::parse_arguments({"--ros-args", "--disable-stdout-logs", "-p", parameter}).value();
     auto node = ros::Node::create(*context, loop, {.name = "executor", .arguments = arguments});

@@ -181,8 +181,8 @@ Fibonacci::Goal order(int n) {
 }
 
 TEST(Action, FeedbackResultRejectionAndCancel) {
-  auto here = make_context(kActionDomain);
-  auto there = make_context(kActionDomain);
+  auto here = make_context(own_domain());
+  auto there = make_context(own_domain());
   EventLoop loop;
   Node server_node(*here, loop, plain("server"));
   Node client_node(*there, loop, plain("client"));
@@ -222,8 +222,8 @@ TEST(Action, FeedbackResultRejectionAndCancel) {
 }
 
 TEST(Action, TwoHundredGoalsWithRandomCancels) {
-  auto here = make_context(kActionDomain);
-  auto there = make_context(kActionDomain);
+  auto here = make_context(own_domain());
+  auto there = make_context(own_domain());
   EventLoop loop;
   Node server_node(*here, loop, plain("server"));
   Node client_node(*there, loop, plain("client"));
@@ -256,7 +256,7 @@ TEST(Action, TwoHundredGoalsWithRandomCancels) {
 
 // Over DDS: what a server answers to a cancel request, where it takes some of the goals and refuses others.
 TEST(Action, CancelAnswersListWhatWasTakenAndRejectWhereNothingWas) {
-  auto context = make_context(kActionDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   std::vector<std::shared_ptr<GoalHandle<Fibonacci>>> handles;
@@ -302,7 +302,7 @@ TEST(Action, CancelAnswersListWhatWasTakenAndRejectWhereNothingWas) {
 }
 
 TEST(Action, ResultsAreKeptForTheirTimeAndThenForgotten) {
-  auto context = make_context(kActionDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   ActionServer<Fibonacci> server(
@@ -325,7 +325,7 @@ TEST(Action, ResultsAreKeptForTheirTimeAndThenForgotten) {
 }
 
 TEST(Action, AGoalThatHasNoRoomIsNotBegun) {
-  auto context = make_context(kActionDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   int begun = 0;
@@ -351,7 +351,7 @@ TEST(Action, AGoalThatHasNoRoomIsNotBegun) {
 }
 
 TEST(Action, ADroppedHandleAbortsItsGoal) {
-  auto context = make_context(kActionDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   ActionServer<Fibonacci> server(node, "fib",

@@ -36,7 +36,7 @@ TopicSelection select(std::vector<std::string> topics, std::string regex = "", s
 struct BagTest : testing::Test {
   std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / ("bag_test_" + std::to_string(getpid()));
-  std::unique_ptr<Context> context = make_context(kBagDomain);
+  std::unique_ptr<Context> context = make_context(own_domain());
   EventLoop loop;
   Node node{*context, loop, plain("robot")};
 
@@ -193,7 +193,7 @@ TEST_F(BagTest, SelectsTopicsAsAsked) {
 
 struct ReplayTest : BagTest {
   // A second participant, as another process would have.
-  std::unique_ptr<Context> other_context = make_context(kBagDomain);
+  std::unique_ptr<Context> other_context = make_context(own_domain());
   EventLoop other_loop;
   Node other{*other_context, other_loop, plain("player")};
 

@@ -22,8 +22,9 @@ class FakeParticipant {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  explicit FakeParticipant(int domain, std::uint8_t number = 0)
-      : port_(static_cast<std::uint16_t>(7400 + 250 * domain)) {
+  // The last byte of the vendor's id: 0x0f for Fast DDS, 0x10 for Cyclone DDS.
+  explicit FakeParticipant(int domain, std::uint8_t number = 0, std::uint8_t vendor = 0x0f)
+      : port_(static_cast<std::uint16_t>(7400 + 250 * domain)), vendor_(vendor) {
     prefix_[7] = number;
     unicast_ = ::socket(AF_INET, SOCK_DGRAM, 0);
     sockaddr_in own = address("127.0.0.1", 0);
@@ -73,8 +74,8 @@ class FakeParticipant {
     send(announcement(), address(text, to.port));
   }
 
-  // Says to everybody that it goes, as who is not killed.
-  void leave() { send(disposal(), address("239.255.0.1", port_)); }
+  // Says to everybody that it goes, as who is not killed, in the words of its vendor.
+  void leave() { send(vendor_ == 0x10 ? farewell() : disposal(), address("239.255.0.1", port_)); }
 
   // The next announcement of anybody that comes by multicast; nothing after 20 ms.
   std::optional<detail::Announcement> heard() { return detail::read_announcement(receive(multicast_)); }
@@ -85,7 +86,7 @@ class FakeParticipant {
     Bytes body = data(1);
     append(body, {0, 3, 0, 0});
     parameter(body, 0x15, {2, 3, 0, 0});
-    parameter(body, 0x16, {0x01, 0x0f, 0, 0});
+    parameter(body, 0x16, {0x01, vendor_, 0, 0});
     parameter(body, 0x50, guid());
     Bytes locator;
     append(locator, {1, 0, 0, 0, low(own_port_), high(own_port_), 0, 0});
@@ -96,6 +97,17 @@ class FakeParticipant {
     parameter(body, 0x58, {0x3f, 0x0c, 0, 0});
     parameter(body, 1, {});
     return message(0x05, body);
+  }
+
+  // As Cyclone DDS says that it goes: its key is the payload.
+  Bytes farewell() const {
+    Bytes body = data(2);
+    parameter(body, 0x71, {0, 0, 0, 3});  // disposed and unregistered
+    parameter(body, 1, {});
+    append(body, {0, 3, 0, 0});
+    parameter(body, 0x50, guid());
+    parameter(body, 1, {});
+    return message(0x0b, body);
   }
 
  private:
@@ -126,7 +138,7 @@ class FakeParticipant {
   }
   Bytes message(std::uint8_t flags, const Bytes& body) const {
     Bytes out;
-    append(out, {'R', 'T', 'P', 'S', 2, 3, 0x01, 0x0f});
+    append(out, {'R', 'T', 'P', 'S', 2, 3, 0x01, vendor_});
     append(out, prefix_);
     append(out, {0x15, flags, low(body.size()), high(body.size())});
     append(out, body);
@@ -162,6 +174,7 @@ class FakeParticipant {
   }
 
   const std::uint16_t port_;
+  const std::uint8_t vendor_;
   std::uint16_t own_port_ = 0;
   int unicast_ = -1, multicast_ = -1;
   std::chrono::milliseconds lease_{20'000};

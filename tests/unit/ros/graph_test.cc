@@ -73,8 +73,8 @@ struct Watcher : dds::DomainParticipantListener {
 };
 
 TEST(Graph, JazzyEndpointsCarryTheirTypeHash) {
-  Watcher watcher(kGraphDomain);
-  auto context = make_context(kGraphDomain, Distro::kJazzy);
+  Watcher watcher(own_domain());
+  auto context = make_context(own_domain(), Distro::kJazzy);
   EventLoop loop;
   Node node(*context, loop, plain("robot"));
   auto out = node.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
@@ -96,8 +96,8 @@ TEST(Graph, JazzyEndpointsCarryTheirTypeHash) {
 }
 
 TEST(Graph, HumbleHasNoTypeHashAndNoTypeDescription) {
-  Watcher watcher(kGraphDomain);
-  auto context = make_context(kGraphDomain, Distro::kHumble);
+  Watcher watcher(own_domain());
+  auto context = make_context(own_domain(), Distro::kHumble);
   EventLoop loop;
   Node node(*context, loop, plain("robot"));
   auto out = node.advertise<std_msgs::msg::String>("/chatter", Qos::standard());
@@ -141,9 +141,9 @@ struct GraphReader {
 
 TEST(Graph, NodesAndEndpointsComeAndGo) {
   for (const Distro distro : {Distro::kJazzy, Distro::kHumble}) {
-    auto tool = make_context(kGraphDomain, distro);
+    auto tool = make_context(own_domain(), distro);
     GraphReader reader(tool->participant(), distro);
-    auto context = make_context(kGraphDomain, distro);
+    auto context = make_context(own_domain(), distro);
     EventLoop loop;
     NodeOptions options = plain("robot");
     options.node_namespace = "/kitchen";
@@ -352,8 +352,8 @@ TEST(Settings, FromTheEnvironment) {
 
 TEST(Settings, LocalhostParticipantsFindEachOther) {
   Environment range("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
-  auto first = make_context(kGraphDomain);
-  auto second = make_context(kGraphDomain);
+  auto first = make_context(own_domain());
+  auto second = make_context(own_domain());
   EventLoop loop;
   Node a(*first, loop, plain("a"));
   Node b(*second, loop, plain("b"));

@@ -26,7 +26,7 @@ using State = LifecycleState;
 using Result = TransitionResult;
 
 struct LifecycleTest : testing::Test {
-  std::unique_ptr<Context> context = make_context(kLifecycleDomain);
+  std::unique_ptr<Context> context = make_context(own_domain());
   EventLoop loop;
   Node node{*context, loop, plain("planner")};
 };

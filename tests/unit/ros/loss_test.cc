@@ -24,7 +24,7 @@ namespace rtps = eprosima::fastdds::rtps;
 using eprosima::fastrtps::types::ReturnCode_t;
 using SteadyClock = std::chrono::steady_clock;
 
-const int kLossDomain = program_domain(60);
+const int kLossDomain = own_domain();
 constexpr std::uint32_t kMessages = 300;
 
 struct Loss : testing::TestWithParam<std::chrono::microseconds> {

@@ -57,7 +57,7 @@ class Toy : public ManagedComponent {
 
 struct ManagedComponentTest : testing::Test {
   std::unique_ptr<Context> context =
-      Context::create({.domain_id = kLifecycleDomain, .process_only = true}).value();
+      Context::create({.domain_id = own_domain(), .process_only = true}).value();
   EventLoop loop;
   std::unique_ptr<Node> node;
   std::unique_ptr<Toy> toy;

@@ -37,7 +37,7 @@ NodeOptions with(std::vector<std::string> words) {
 }
 
 struct NodeTest : testing::Test {
-  std::unique_ptr<Context> context = make_context(kNodeDomain);
+  std::unique_ptr<Context> context = make_context(own_domain());
   EventLoop loop;
 };
 

@@ -25,7 +25,7 @@ Int32 number(int value) {
 }
 
 TEST(PubSub, OneProcessDeliversSynchronouslyAndInOrderOfPublication) {
-  auto context = make_context(kPubSubDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node writer(*context, loop, plain("writer"));
   Node reader(*context, loop, plain("reader"));
@@ -53,7 +53,7 @@ TEST(PubSub, OneProcessDeliversSynchronouslyAndInOrderOfPublication) {
 }
 
 TEST(PubSub, QueueKeepsTheNewestOfABurst) {
-  auto context = make_context(kPubSubDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   std::vector<int> seen;
@@ -67,12 +67,12 @@ TEST(PubSub, QueueKeepsTheNewestOfABurst) {
 }
 
 TEST(PubSub, TwoParticipantsMatchQuickly) {
-  auto first = make_context(kPubSubDomain);
+  auto first = make_context(own_domain());
   EventLoop loop;
   Node writer(*first, loop, plain("writer"));
   auto out = writer.advertise<String>("/chatter", Qos::standard());
   const auto start = std::chrono::steady_clock::now();
-  auto second = make_context(kPubSubDomain);
+  auto second = make_context(own_domain());
   Node reader(*second, loop, plain("reader"));
   std::string seen;
   auto in =
@@ -88,13 +88,13 @@ TEST(PubSub, TwoParticipantsMatchQuickly) {
 }
 
 TEST(PubSub, LatecomersGetLatchedMessages) {
-  auto context = make_context(kPubSubDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   auto out = node.advertise<Int32>("/latched", Qos::latched());
   out->publish(number(1));
   out->publish(number(2));
-  auto other = make_context(kPubSubDomain);
+  auto other = make_context(own_domain());
   Node late(*other, loop, plain("late"));
   std::vector<int> seen;
   auto in =
@@ -104,7 +104,7 @@ TEST(PubSub, LatecomersGetLatchedMessages) {
 }
 
 TEST(PubSub, MalformedSamplesAreDroppedAndReported) {
-  auto context = make_context(kPubSubDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   const auto& type = idl::type_support<sensor_msgs::msg::JointState>();
@@ -139,7 +139,7 @@ TEST(PubSub, MalformedSamplesAreDroppedAndReported) {
 }
 
 TEST(PubSub, AFloodIsBounded) {
-  auto context = make_context(kPubSubDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   auto out = node.advertise<Int32>("/flood", Qos::standard());
@@ -155,7 +155,7 @@ TEST(PubSub, AFloodIsBounded) {
 }
 
 TEST(PubSub, ImmediateCallbacksComeInTheWritersThread) {
-  auto context = make_context(kPubSubDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   std::thread::id where;
@@ -168,7 +168,7 @@ TEST(PubSub, ImmediateCallbacksComeInTheWritersThread) {
 }
 
 TEST(PubSub, AnArrivalIsToldAtOnceAndBeforeItsTurnInTheLoop) {
-  auto context = make_context(kPubSubDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   std::vector<int> arrived, handled;
@@ -190,7 +190,7 @@ TEST(PubSub, AnArrivalIsToldAtOnceAndBeforeItsTurnInTheLoop) {
 }
 
 TEST(PubSub, DestroyedSubscriptionsAreSilent) {
-  auto context = make_context(kPubSubDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   int seen = 0;

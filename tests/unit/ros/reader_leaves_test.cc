@@ -34,7 +34,7 @@ using eprosima::fastrtps::rtps::LocatorsIterator;
 using eprosima::fastrtps::rtps::octet;
 using SteadyClock = std::chrono::steady_clock;
 
-const int kLeavingDomain = program_domain(60);
+const int kLeavingDomain = own_domain();
 constexpr std::uint32_t kDepth = 10;
 constexpr std::size_t kSampleBytes =
     30'000;  // two in a datagram: half of the repetitions are sent before the next

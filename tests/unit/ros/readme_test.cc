@@ -10,7 +10,7 @@ namespace {
 
 TEST(Readme, TheExampleTalksToItself) {
   const std::vector<std::string> words = {"--ros-args", "-r", "__ns:=/kitchen", "-r", "echo:=chatter"};
-  auto context = ros::Context::create({.domain_id = kNodeDomain});
+  auto context = ros::Context::create({.domain_id = own_domain()});
   ASSERT_TRUE(context) << context.error().message;
   ros::EventLoop loop;
   auto arguments = ros::parse_arguments(words);

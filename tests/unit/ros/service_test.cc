@@ -27,8 +27,8 @@ void add(const AddTwoInts::Request& request, AddTwoInts::Response& response) {
 }
 
 TEST(Service, AnswersInsideAndAcrossParticipants) {
-  auto here = make_context(kServiceDomain);
-  auto there = make_context(kServiceDomain);
+  auto here = make_context(own_domain());
+  auto there = make_context(own_domain());
   EventLoop loop;
   Node server_node(*here, loop, plain("server"));
   Server<AddTwoInts> server(server_node, "add", add);
@@ -45,8 +45,8 @@ TEST(Service, AnswersInsideAndAcrossParticipants) {
 }
 
 TEST(Service, ABurstLosesNothingAndAnswersGoToWhoAsked) {
-  auto here = make_context(kServiceDomain);
-  auto there = make_context(kServiceDomain);
+  auto here = make_context(own_domain());
+  auto there = make_context(own_domain());
   EventLoop loop;
   Node server_node(*here, loop, plain("server"));
   Node first_node(*there, loop, plain("first"));
@@ -72,7 +72,7 @@ TEST(Service, ABurstLosesNothingAndAnswersGoToWhoAsked) {
 }
 
 TEST(Service, NoServerIsATimeout) {
-  auto context = make_context(kServiceDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("client"));
   Client<Trigger> client(node, "nobody");
@@ -83,7 +83,7 @@ TEST(Service, NoServerIsATimeout) {
 }
 
 TEST(Service, AServerThatGoesBeforeItAnswersIsTold) {
-  auto here = make_context(kServiceDomain), there = make_context(kServiceDomain);
+  auto here = make_context(own_domain()), there = make_context(own_domain());
   EventLoop loop;
   Node client_node(*here, loop, plain("client"));
   Node server_node(*there, loop, plain("server"));
@@ -113,7 +113,7 @@ TEST(Service, AServerThatGoesBeforeItAnswersIsTold) {
 }
 
 TEST(Service, DeferredAnswers) {
-  auto context = make_context(kServiceDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   Node node(*context, loop, plain("node"));
   std::vector<Responder<Trigger>> kept;
@@ -134,13 +134,13 @@ TEST(Service, DeferredAnswers) {
 }
 
 TEST(Service, ClientsSurviveRestartsOfTheServer) {
-  auto here = make_context(kServiceDomain);
+  auto here = make_context(own_domain());
   EventLoop loop;
   Node client_node(*here, loop, plain("client"));
   Client<AddTwoInts> client(client_node, "add");
   for (int round = 0; round < 10; ++round) {
     {
-      auto there = make_context(kServiceDomain);
+      auto there = make_context(own_domain());
       Node server_node(*there, loop, plain("server"));
       Server<AddTwoInts> server(server_node, "add", add);
       ASSERT_TRUE(client.wait_for_service(2s)) << round;
@@ -156,7 +156,7 @@ TEST(Service, ClientsSurviveRestartsOfTheServer) {
 }
 
 TEST(Service, ReadsEachRequestInTheFormatOfWhoSentIt) {
-  auto context = make_context(kServiceDomain);
+  auto context = make_context(own_domain());
   EventLoop loop;
   std::vector<std::pair<std::int64_t, ReplyTo>> calls;
   std::vector<std::string> dropped;

@@ -71,7 +71,7 @@ void one_round(int domain) {
 // The transport that is off by default has files in /dev/shm: they must go with their participant.
 TEST(UpAndDown, SharedMemoryLeavesNoFile) {
   setenv("GOALNET_SHARED_MEMORY", "1", 1);
-  const int domain = program_domain(101);
+  const int domain = own_domain();
   {
     auto context = make_context(domain);
     EXPECT_GT(testing_support::shared_memory_of_domain(domain).size(), 0u);
@@ -85,7 +85,7 @@ TEST(UpAndDown, SharedMemoryLeavesNoFile) {
 TEST(UpAndDown, LeavesNothingBehind) {
   const char* text = std::getenv("GOALNET_UP_AND_DOWN_ROUNDS");
   const int rounds = text == nullptr ? 1000 : std::atoi(text);
-  const int domain = program_domain(105);
+  const int domain = own_domain();
   for (int i = 0; i < kWarmUp; ++i) one_round(domain);
   const Holdings before = now();
   for (int i = 0; i < rounds && !HasFatalFailure(); ++i) one_round(domain);

@@ -11,6 +11,7 @@
 #include "rosgraph_msgs/msg/Clock.h"
 #include "sensor_msgs/msg/JointState.h"
 #include "std_msgs/msg/String.h"
+#include "tests/support/domain.h"
 #include "tf2_msgs/msg/TFMessage.h"
 
 namespace goalnet::sim {
@@ -40,7 +41,7 @@ struct Bench {
 };
 
 TEST(SimulatorNode, PublishesTheWorldInLockstep) {
-  Bench bench({"lockstep:=true", "seed:=2"}, 171);
+  Bench bench({"lockstep:=true", "seed:=2"}, testing_support::own_domain());
   auto listener = bench.node("listener");
   auto node = bench.node("simulator");
   int clocks = 0;
@@ -91,7 +92,7 @@ TEST(SimulatorNode, PublishesTheWorldInLockstep) {
 }
 
 TEST(SimulatorNode, CallsItsControllerEveryMillisecond) {
-  Bench bench({"lockstep:=true"}, 172);
+  Bench bench({"lockstep:=true"}, testing_support::own_domain());
   auto node = bench.node("simulator");
   auto simulator = SimulatorNode::create(*node);
   ASSERT_TRUE(simulator) << simulator.error().message;
@@ -116,7 +117,7 @@ TEST(SimulatorNode, CallsItsControllerEveryMillisecond) {
 }
 
 TEST(SimulatorNode, FollowsJointCommandsWhenPaced) {
-  Bench bench({"real_time_factor:=5.0"}, 173);
+  Bench bench({"real_time_factor:=5.0"}, testing_support::own_domain());
   auto node = bench.node("simulator");
   auto driver = bench.node("driver");
   auto simulator = SimulatorNode::create(*node);
@@ -138,7 +139,7 @@ TEST(SimulatorNode, FollowsJointCommandsWhenPaced) {
 TEST(SimulatorNode, RefusesBadParameters) {
   for (const char* bad : {"scene:=no_such_room", "robot:=no_such_robot", "physics_step:=0.003",
                           "real_time_factor:=0.0", "seed:=-1"}) {
-    Bench bench({bad, "lockstep:=true"}, 174);
+    Bench bench({bad, "lockstep:=true"}, testing_support::own_domain());
     auto node = bench.node("simulator");
     auto simulator = SimulatorNode::create(*node);
     ASSERT_FALSE(simulator) << bad;

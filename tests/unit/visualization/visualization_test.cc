@@ -19,7 +19,7 @@ using visualization_msgs::msg::Marker;
 using visualization_msgs::msg::MarkerArray;
 namespace marker = visualization_msgs::msg::Marker_Constants;
 
-const int kDomain = ros::test_domain(119);
+const int kDomain = ros::own_domain();
 
 const scene::Scene& kitchen() {
   static const scene::Scene scene = *scene::load_scene("kitchen");

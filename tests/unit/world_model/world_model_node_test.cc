@@ -3,12 +3,12 @@
 
 #include <gmock/gmock-matchers.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 
 #include "components/messages/conversions.h"
 #include "rosgraph_msgs/msg/Clock.h"
+#include "tests/support/domain.h"
 
 namespace goalnet::world_model {
 namespace {
@@ -20,8 +20,7 @@ class WorldModelNodeTest : public testing::Test {
  protected:
   void SetUp() override {
     context_ =
-        ros::Context::create({.domain_id = 172 + static_cast<int>(getpid() % 20), .process_only = true})
-            .value();
+        ros::Context::create({.domain_id = testing_support::own_domain(), .process_only = true}).value();
     client_ = ros::Node::create(*context_, loop_, {.name = "client", .arguments = {}}).value();
     make_world_model();
     clock_ = client_->advertise<rosgraph_msgs::msg::Clock>("/clock", ros::Qos::clock());
@@ -201,7 +200,8 @@ TEST_F(WorldModelNodeTest, SurvivesHostileMessages) {
 
 TEST(WorldModelParameters, BadOnesAreRefused) {
   const auto refusal = [](const std::string& parameter) {
-    auto context = ros::Context::create({.domain_id = 193, .process_only = true}).value();
+    auto context =
+        ros::Context::create({.domain_id = testing_support::own_domain(), .process_only = true}).value();
     ros::EventLoop loop;
     auto arguments = ros::parse_arguments({"--ros-args", "--disable-stdout-logs", "-p", parameter}).value();
     auto node = ros::Node::create(*context, loop, {.name = "world_model", .arguments = arguments});
