@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "components/ros/node.h"
+#include "goalnet_msgs/msg/ExecutorStatus.h"
+#include "std_msgs/msg/String.h"
 #include "tests/support/process.h"
 #include "tools/goalnet/lockstep_loop.h"
 
@@ -104,6 +107,34 @@ TEST(Tell, CarriesOutRefusesAndCancels) {
   EXPECT_THAT(lost.err, HasSubstr("went away"));
 }
 
+TEST(Tell, ResetEndsAFault) {
+  Robot robot;
+  const ProcessResult idle = tell({"--reset"});
+  EXPECT_EQ(idle.exit_code, 0) << idle.err;
+  EXPECT_THAT(idle.out, HasSubstr("in no fault"));
+
+  const auto context = ros::Context::create().value();
+  ros::EventLoop loop;
+  ros::NodeOptions options;
+  options.name = "person";
+  const auto node = ros::Node::create(*context, loop, std::move(options)).value();
+  const auto command = node->advertise<std_msgs::msg::String>("/executor_command");
+  bool fault = false;
+  const auto status = node->subscribe<goalnet_msgs::msg::ExecutorStatus>(
+      "/executor_status", ros::Qos::latched(), [&](const auto& message) { fault = message.state() == 3; });
+  ASSERT_TRUE(command->wait_for_subscribers(1, 30s));
+  std_msgs::msg::String stop;
+  stop.data("emergency_stop");
+  command->publish(stop);
+  ASSERT_TRUE(loop.run_for(30s, [&] { return fault; }));
+
+  const ProcessResult reset = tell({"--reset"});
+  EXPECT_EQ(reset.exit_code, 0) << reset.err;
+  EXPECT_THAT(reset.out, testing::AllOf(HasSubstr("has left its fault"), HasSubstr("emergency stop")));
+  EXPECT_TRUE(loop.run_for(30s, [&] { return !fault; }));
+  EXPECT_EQ(tell({"turn on the tap"}).exit_code, 0) << "it works again";
+}
+
 TEST(Tell, SaysWhatIsWrongBeforeAnythingMoves) {
   const ProcessResult nobody = tell({"--wait", "1", "--namespace", "/robot7", "open the fridge"});
   EXPECT_EQ(nobody.exit_code, 32);
@@ -113,6 +144,8 @@ TEST(Tell, SaysWhatIsWrongBeforeAnythingMoves) {
   EXPECT_EQ(tell({"--namespace", "b ad", "x"}).exit_code, 13);
   EXPECT_EQ(tell({"--wait", "-1", "x"}).exit_code, 13);
   EXPECT_EQ(tell({}).exit_code, 13);
+  EXPECT_EQ(tell({"--reset", "x"}).exit_code, 13);
+  EXPECT_EQ(tell({"--wait", "1", "--namespace", "/robot7", "--reset"}).exit_code, 32);
 }
 
 }  // namespace

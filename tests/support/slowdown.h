@@ -20,9 +20,17 @@ class Slowdown {
 
   // Since construction, at least 1. Ends the measurement.
   double stop() {
-    stopped_ = true;
-    if (thread_.joinable()) thread_.join();
+    if (thread_.joinable()) {
+      passed_ = std::chrono::steady_clock::now() - start_;
+      stopped_ = true;
+      thread_.join();
+    }
     return std::max(1.0, factor_);
+  }
+  // The time since construction, as it would have been on an idle machine. Ends the measurement.
+  std::chrono::duration<double> undisturbed() {
+    const double factor = stop();
+    return passed_ / factor;
   }
 
  private:
@@ -32,7 +40,6 @@ class Slowdown {
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
   }
   void measure() {
-    const auto start = std::chrono::steady_clock::now();
     int rounds = 0;
     while (!stopped_) {
       for (const double begin = processor_seconds(); processor_seconds() - begin < 1e-3;) {
@@ -40,10 +47,12 @@ class Slowdown {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       ++rounds;
     }
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     if (rounds > 0) factor_ = passed.count() / (2e-3 * rounds);
   }
 
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::duration<double> passed_{};
   double factor_ = 1.0;
   std::atomic<bool> stopped_ = false;
   std::thread thread_;

@@ -20,6 +20,7 @@
 #include "goalnet_msgs/action/FollowInstruction_action.h"
 #include "goalnet_msgs/msg/InstructionStatus.h"
 #include "tools/goalnet/command_line.h"
+#include "tools/goalnet/reset_executor.h"
 #include "tools/goalnet/run_record.h"
 #include "tools/goalnet/stop_signal.h"
 #include "tools/goalnet/trace_printer.h"
@@ -38,6 +39,7 @@ constexpr const char* kFooter =
     "  goalnet tell \"fill the mug with water\"\n"
     "  goalnet tell yes                                   when it asked \"did you mean ...?\"\n"
     "  goalnet tell --namespace /robot1 --json \"open the microwave\"\n"
+    "  goalnet tell --reset                       # after an emergency stop\n"
     "\n"
     "The robot is found on ROS_DOMAIN_ID. Ctrl-C cancels: the robot comes to rest smoothly and this ends "
     "with "
@@ -56,6 +58,7 @@ struct TellOptions {
   std::uint32_t max_steps = 0;
   double wait = 10.0;  // [s]
   bool json = false;
+  bool reset = false;
 };
 
 TraceStyle one_clock(TraceStyle style) {
@@ -212,6 +215,17 @@ nlohmann::ordered_json to_json(const TellOptions& options, const RunRecord& reco
   return object;
 }
 
+int reset(ros::Node& node, ros::EventLoop& loop, const TellOptions& options) {
+  const auto done = reset_executor(node, loop, std::chrono::duration<double>(options.wait));
+  if (!done) return tell("goalnet tell", done.error(), options.json);
+  if (options.json) {
+    print_json({{"outcome", to_string(Outcome::kDone)}, {"message", *done}});
+  } else {
+    std::cout << *done << "\n";
+  }
+  return 0;
+}
+
 }  // namespace
 
 int tell_command(int argc, char** argv) {
@@ -223,20 +237,23 @@ int tell_command(int argc, char** argv) {
   CLI::App app{"Gives an instruction to a robot that is up, and follows what it does about it."};
   app.name("goalnet tell");
   app.footer(kFooter);
-  app.add_option("instruction", words, "What to do, in plain English")->required();
+  app.add_option("instruction", words, "What to do, in plain English");
   app.add_option("-n,--namespace", options.name_space, "Namespace of the robot, for example /robot1");
   app.add_option("--max-steps", options.max_steps, "Inference steps before giving up [the robot's]")
       ->check(CLI::Range(1, 1000));
   app.add_option("--wait", options.wait, "Seconds to look for the robot")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
+  app.add_flag("--reset", options.reset, "End the fault of the executor instead: the robot will move again");
   app.add_flag("--json", options.json, "One JSON object on standard output and nothing else");
   if (const auto code = parse_or_tell(app, static_cast<int>(ros - argv), argv)) return *code;
   // Forgotten quotes are forgiven: the words are one instruction.
   for (const std::string& word : words)
     options.instruction += (options.instruction.empty() ? "" : " ") + word;
   const auto refuse = [&](const Error& error) { return tell("goalnet tell", error, options.json); };
-  if (const auto checked = coordinator::check_instruction(options.instruction); !checked)
+  if (options.reset && !words.empty())
+    return refuse({Outcome::kInvalidRequest, "--reset and an instruction are two commands; give one"});
+  if (const auto checked = coordinator::check_instruction(options.instruction); !options.reset && !checked)
     return refuse(checked.error());
   auto arguments = ros::parse_arguments({ros, argv + argc});
   if (!arguments) return refuse(arguments.error());
@@ -251,6 +268,7 @@ int tell_command(int argc, char** argv) {
   node_options.arguments = *arguments;
   const auto node = ros::Node::create(**context, loop, std::move(node_options));
   if (!node) return refuse(node.error());
+  if (options.reset) return reset(**node, loop, options);
   Telling telling(**node, loop, options);
   const auto report = telling.carry_out();
   if (!report) return refuse(report.error());

@@ -60,6 +60,10 @@ void GoldenNode::step() {
   }
 }
 
+void GoldenNode::end_if_due() {
+  if (goal_ && (goal_->canceling() || static_cast<int>(sequence_.size()) > goal_->goal().order())) step();
+}
+
 GoldenLifecycleNode::GoldenLifecycleNode(int domain, Distro distro, EventLoop& loop)
     : context_(make_context(domain, distro)),
       node_(*context_, loop, golden("golden_lc", "/golden")),

@@ -23,6 +23,8 @@ class GoldenNode {
 
   // One round of the action's work: a feedback message, or the end of the goal.
   void step();
+  // Ends a goal that is done, or whose cancelling was asked for.
+  void end_if_due();
   Context& context() { return *context_; }
   const std::vector<std::string>& heard() const { return heard_; }  // on /cmd
 

@@ -190,9 +190,11 @@ void Replay::run(const CaptureSet& set) {
       ASSERT_NE(request, asked.end()) << sample.topic;
       const CapturedClient& client = *clients[(*request)->node];
       const auto count = static_cast<std::size_t>((*request)->id.sequence);
-      const auto there = [&] { return client.replies_to(**request).size() >= count; };
-      if (!loop.run_for(300ms, there)) node.step();  // the end of a goal
-      ASSERT_TRUE(loop.run_for(5s, there)) << "no reply to " << (*request)->topic;
+      const auto there = [&] {
+        node.end_if_due();
+        return client.replies_to(**request).size() >= count;
+      };
+      ASSERT_TRUE(loop.run_for(20s, there)) << "no reply to " << (*request)->topic;
       auto reply = client.replies_to(**request)[count - 1];
       if (sample.related) {
         EXPECT_EQ(reply.related, *sample.related) << "the very identity that rmw_fastrtps wrote";
@@ -209,11 +211,11 @@ void Replay::run(const CaptureSet& set) {
       if (sample.topic.ends_with("/feedback")) node.step();
       std::optional<Bytes> payload;
       const auto there = [&] {
+        node.end_if_due();  // shows in its status
         payload = listener.next(sample.topic);
         return payload.has_value();
       };
-      if (!loop.run_for(300ms, there)) node.step();  // the end of a goal shows in its status
-      ASSERT_TRUE(payload || loop.run_for(5s, there)) << "nothing on " << sample.topic;
+      ASSERT_TRUE(loop.run_for(20s, there)) << "nothing on " << sample.topic;
       expect_equal(sample, *payload);
     }
   }
