@@ -1,4 +1,5 @@
 // What a message that the grammar does not read is most likely about.
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
@@ -17,6 +18,15 @@ namespace {
 constexpr double kAsks = 0.3, kDoes = 0.8;
 constexpr std::size_t kMostRequests = 4;
 constexpr std::size_t kMostNamed = 16;  // each with each other: bounds the time
+
+// "not", "if", "other": what it is about need not be what it asks for.
+bool is_plain(const std::vector<std::string>& words) {
+  using std::string_view_literals::operator""sv;
+  static constexpr std::array kDepends = {"if"sv,    "otherwise"sv, "unless"sv,  "else"sv, "when"sv,
+                                          "until"sv, "other"sv,     "another"sv, "rest"sv};
+  return std::none_of(words.begin(), words.end(),
+                      [&](const std::string& word) { return turns_round(word) || one_of(word, kDepends); });
+}
 
 bool is_article(const std::string& word) { return one_of(word, word_group::kArticles); }
 
@@ -41,23 +51,20 @@ std::optional<RobotLanguage::Guess> RobotLanguage::guess(const std::vector<std::
   if (!words) return {};
   guess.reading = read(*words, objects, start, distances);
   if (!guess.reading.understanding.complete || guess.reading.understanding.macros.empty()) return {};
-  guess.sure =
-      likely.probability >= kDoes && may_be_done_unasked(sight.views.front().message, likely, refused);
+  guess.plain = is_plain(tokens);
+  guess.sure = likely.probability >= kDoes && guess.plain &&
+               may_be_done_unasked(sight.views.front().message, likely, refused);
   return guess;
 }
 
-// Not where the grammar knows why the message asks for nothing that can be done, where something is denied
-// or depends on something, nor where part of the message plays no role in the guess.
+// Not where the grammar knows why the message asks for nothing that can be done, nor where part of the
+// message plays no role in the guess.
 bool RobotLanguage::may_be_done_unasked(const gist::Message& message, const gist::Likely& likely,
                                         const Reading& refused) const {
-  using std::string_view_literals::operator""sv;
-  static constexpr std::array kDepends = {"if"sv,    "otherwise"sv, "unless"sv,  "else"sv, "when"sv,
-                                          "until"sv, "other"sv,     "another"sv, "rest"sv};
   const Understanding& why = refused.understanding;
   if (refused.beyond_robot || why.only_asks || why.question || why.no_such_number) return false;
   for (std::size_t i = 0; i < message.spoken.size(); ++i) {
     const std::string& word = message.spoken[i];
-    if (turns_round(word) || one_of(word, kDepends)) return false;
     const std::string& sort = message.sorts[i];
     const bool unknown = sort == "strange" || sort == "word" || sort.starts_with("kind");
     if (unknown && !language_->describes(word) && !language_->english_verb(word) && !language_->adverb(word))

@@ -44,8 +44,9 @@ class RobotLanguage {
   struct Guess {
     std::string sentence;
     double probability = 0;
-    bool sure = false;  // enough to do it unasked
-    Reading reading;    // of the sentence
+    bool sure = false;   // enough to do it unasked
+    bool plain = false;  // nothing in the message is denied or depends on something
+    Reading reading;     // of the sentence
   };
   std::optional<Guess> guess(const std::vector<std::string>& tokens, const Reading& refused,
                              const std::vector<std::string>& objects, const SymState& start,

@@ -12,6 +12,8 @@ namespace {
 
 using namespace symbol;
 
+constexpr double kOverrules = 0.5;  // how likely a guess must be to doubt that nothing is to be done
+
 std::uint64_t fingerprint_of(const StepInput& input) {
   std::uint64_t hash = 0xcbf29ce484222325ull;
   const auto add = [&](std::string_view text) {
@@ -160,7 +162,18 @@ RankerModel::Decoded RankerModel::decode_robot(const StepInput& input, std::vect
     const auto judgement = robot_->judge(words, reading, start, input.distances);
     signs_ = judgement.signs;
     const double confidence = robot_->confidence().of(signs_);
-    if (confidence >= robot_->confidence().least()) return steps_of(understanding, confidence);
+    if (confidence >= robot_->confidence().least()) {
+      Decoded decoded = steps_of(understanding, confidence);
+      const bool idle = std::all_of(decoded.steps.begin(), decoded.steps.end(), [&](const Goal& step) {
+        return satisfied(step, input.states.front().facts);
+      });
+      if (!idle) return decoded;
+      // "the tv is too loud": that it is so already is a likely misreading where something else is likely
+      // meant
+      const auto guess = robot_->guess(words, reading, input.states.front().objects, start, input.distances);
+      if (!guess || !guess->plain || guess->probability < kOverrules) return decoded;
+      return offer(*guess, {Outcome::kNotUnderstood, "not sure: I understood that all of it is so already"});
+    }
     return guessed(
         input, words, start, reading,
         {Outcome::kNotUnderstood, not_sure(understanding.macros, judgement.unused, parts_.symbols)});
@@ -184,13 +197,19 @@ RankerModel::Decoded RankerModel::guessed(const StepInput& input, const std::vec
                                           Error refusal) {
   const auto guess = robot_->guess(words, refused, input.states.front().objects, start, input.distances);
   if (guess && guess->sure) return steps_of(guess->reading.understanding, guess->probability);
+  if (guess) return offer(*guess, std::move(refusal));
   Decoded decoded;
   decoded.refused = true;
   decoded.refusal = std::move(refusal);
-  if (guess) {
-    decoded.refusal.message += "; did you mean \"" + guess->sentence + "\"?";
-    offered_ = guess->sentence;
-  }
+  return decoded;
+}
+
+RankerModel::Decoded RankerModel::offer(const RobotLanguage::Guess& guess, Error refusal) {
+  Decoded decoded;
+  decoded.refused = true;
+  decoded.refusal = std::move(refusal);
+  decoded.refusal.message += "; did you mean \"" + guess.sentence + "\"?";
+  offered_ = guess.sentence;
   return decoded;
 }
 

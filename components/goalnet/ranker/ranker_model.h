@@ -63,6 +63,7 @@ class RankerModel : public GoalModel {
   Decoded decode_benchmark(const Instruction& instruction, const SymState& start, std::uint64_t seed);
   Decoded decode_robot(const StepInput& input, std::vector<std::string> words, const SymState& start);
   Decoded steps_of(const Understanding& understanding, double confidence);
+  Decoded offer(const RobotLanguage::Guess& guess, Error refusal);
   // What is done or asked instead of a refusal.
   Decoded guessed(const StepInput& input, const std::vector<std::string>& words, const SymState& start,
                   const RobotLanguage::Reading& refused, Error refusal);

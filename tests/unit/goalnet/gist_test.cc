@@ -51,6 +51,13 @@ TEST_F(GistTest, YesIsAnAnswerToTheLastOfferOnly) {
   EXPECT_TRUE(follow("kitchen", "yes").refused);
 }
 
+TEST_F(GistTest, ThatAllIsSoAlreadyIsDoubtedWhereSomethingElseIsLikelyMeant) {
+  expect_offer("living_room", "Pray betake yourself to the television and wait there.",
+               "go to the television");
+  const auto run = follow("living_room", "if the tv is on channel 5, change to 4");
+  EXPECT_FALSE(run.refused) << run.message;  // it is on channel 3
+}
+
 TEST_F(GistTest, WhatIsSureAndSimpleIsDone) {
   expect_reached("kitchen", "From fridge energy drink to me bring.", "(Grasping Robot EnergyDrink_1)");
   expect_reached("kitchen", "Would you have the great kindness to replenish the kettle with fresh water?",
