@@ -63,10 +63,10 @@ TEST_F(Instructions, SensibleOnesReachTheirGoals) {
   for (const auto& [set, count] : counts) {
     std::printf("%s: %d of %d reach their goal, %d refused\n", set.c_str(), count[1], count[0], count[2]);
     EXPECT_GE(count[1], 0.92 * count[0]) << set;
-    EXPECT_LT(count[2], (set == "tuning" ? 0.05 : 0.03) * count[0]) << set;
+    EXPECT_LT(count[2], (set == "tuning" ? 0.06 : 0.03) * count[0]) << set;  // tuning collects what failed
   }
   EXPECT_EQ(counts["held_out"][0], 80);
-  EXPECT_EQ(counts["blind"][0], 890);
+  EXPECT_EQ(counts["blind"][0], 1183);
 }
 
 TEST_F(Instructions, NonsenseIsRefusedWithAReason) {
