@@ -119,8 +119,11 @@ TEST_F(UntidyKitchen, NeighboursThatKeepAHandFromComingOutArePutAside) {
   expect_done({"moveto", {"Fridge"}});
   expect_done({"keep-in", {"CanadaDry_1", "FridgeRight"}});
   EXPECT_TRUE(harness_->facts().contains({"In", "CanadaDry_1", "FridgeRight"}));
-  for (const char* other : {"EnergyDrink_1", "Syrup_1"})
-    EXPECT_TRUE(harness_->facts().contains({"In", other, "FridgeLeft"})) << other << " stays in the fridge";
+  // Aside is another place in the fridge, or a worktop where there is no room.
+  const auto& facts = harness_->facts();
+  EXPECT_TRUE(facts.contains({"In", "EnergyDrink_1", "FridgeLeft"}));
+  EXPECT_TRUE(facts.contains({"In", "Syrup_1", "FridgeLeft"}) ||
+              facts.contains({"On", "Syrup_1", "Counter_1"}));
 }
 
 class TidyLivingRoom : public PhysicsRoom {
