@@ -66,7 +66,7 @@ TEST_F(Instructions, SensibleOnesReachTheirGoals) {
     EXPECT_LT(count[2], (set == "tuning" ? 0.06 : 0.03) * count[0]) << set;  // tuning collects what failed
   }
   EXPECT_EQ(counts["held_out"][0], 80);
-  EXPECT_EQ(counts["blind"][0], 1183);
+  EXPECT_EQ(counts["blind"][0], 1282);
 }
 
 TEST_F(Instructions, NonsenseIsRefusedWithAReason) {
