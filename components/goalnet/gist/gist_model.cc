@@ -33,6 +33,7 @@ float GistModel::score(std::span<const std::uint32_t> features) const {
 }
 
 Likely GistModel::likely(const Views& views) const {
+  if (weights_.empty()) return {};
   struct Best {
     float score;
     const Request* request;

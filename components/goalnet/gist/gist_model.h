@@ -28,7 +28,7 @@ class GistModel {
   float score(std::span<const std::uint32_t> features) const;
 
  private:
-  std::vector<float> weights_;  // kFeatures
+  std::vector<float> weights_;  // kFeatures; none: nothing is likely
 };
 
 }  // namespace goalnet::inference::gist

@@ -28,6 +28,11 @@ bool is_plain(const std::vector<std::string>& words) {
                       [&](const std::string& word) { return turns_round(word) || one_of(word, kDepends); });
 }
 
+bool names_something_here(const gist::Message& message, std::size_t word) {
+  return std::ranges::any_of(message.named,
+                             [&](const gist::Named& name) { return name.begin <= word && word < name.end; });
+}
+
 bool is_article(const std::string& word) { return one_of(word, word_group::kArticles); }
 
 }  // namespace
@@ -67,6 +72,8 @@ bool RobotLanguage::may_be_done_unasked(const gist::Message& message, const gist
     const std::string& word = message.spoken[i];
     const std::string& sort = message.sorts[i];
     const bool unknown = sort == "strange" || sort == "word" || sort.starts_with("kind");
+    const bool elsewhere = (sort == "thing" || sort == "place") && !names_something_here(message, i);
+    if (elsewhere) return false;
     if (unknown && !language_->describes(word) && !language_->english_verb(word) && !language_->adverb(word))
       return false;
   }

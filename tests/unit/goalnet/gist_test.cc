@@ -70,9 +70,10 @@ TEST_F(GistTest, WhatIsForbiddenOrForLaterIsNotOffered) {
 }
 
 TEST_F(GistTest, WhatDependsOnSomethingOrIsDeniedIsAtMostOffered) {
-  for (const char* sentence : {"otherwise turn on the tap", "I see no reason to fill the kettle",
-                               "phone the doctor, then bring me the glass",
-                               "who asked you to turn on the tap?", "open the window and close the fridge"})
+  for (const char* sentence :
+       {"otherwise turn on the tap", "I see no reason to fill the kettle",
+        "phone the doctor, then bring me the glass", "who asked you to turn on the tap?",
+        "open the window and close the fridge", "er, that, coke, scratch me I am beer, bring"})
     EXPECT_TRUE(follow("kitchen", sentence).refused) << sentence;
 }
 
