@@ -1,8 +1,9 @@
 #include "components/goalnet/gist/message.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
+
+#include "components/goalnet/language/noun_phrase.h"
 
 namespace goalnet::inference::gist {
 namespace {
@@ -54,16 +55,10 @@ std::vector<ClassId> classes_of(const std::string& phrase, const Instruction& he
 }  // namespace
 
 int small_number(const std::string& word) {
-  static constexpr std::array<std::array<std::string_view, 3>, 6> kNumbers = {{{"one", "first", "1"},
-                                                                               {"two", "second", "2"},
-                                                                               {"three", "third", "3"},
-                                                                               {"four", "fourth", "4"},
-                                                                               {"five", "fifth", "5"},
-                                                                               {"six", "sixth", "6"}}};
-  for (std::size_t i = 0; i < kNumbers.size(); ++i)
-    if (std::find(kNumbers[i].begin(), kNumbers[i].end(), word) != kNumbers[i].end())
-      return static_cast<int>(i) + 1;
-  return 0;
+  constexpr int kHighest = 6;                        // channels; there are fewer burners and seats
+  if (word == "both" || word == "couple") return 0;  // how many, not which
+  const int number = number_word(word) > 0 ? number_word(word) : ordinal_word(word);
+  return number <= kHighest ? number : 0;
 }
 
 Message see_message(const std::vector<std::string>& tokens, const Instruction& here, const Lexicon& lexicon,

@@ -13,9 +13,9 @@
 namespace goalnet::inference {
 namespace {
 
-// Less likely guesses are not worth a question; likelier ones are done unasked, where nothing in the message
-// speaks against it.
-constexpr double kAsks = 0.3, kDoes = 0.8;
+// Less likely guesses are not worth a question; likelier ones overrule a reading by which nothing is to be
+// done, and are done unasked, where nothing in the message speaks against it (docs/design/052).
+constexpr double kAsks = 0.3, kOverrules = 0.5, kDoes = 0.8;
 constexpr std::size_t kMostRequests = 4;
 constexpr std::size_t kMostNamed = 16;  // each with each other: bounds the time
 
@@ -56,8 +56,9 @@ std::optional<RobotLanguage::Guess> RobotLanguage::guess(const std::vector<std::
   if (!words) return {};
   guess.reading = read(*words, objects, start, distances);
   if (!guess.reading.understanding.complete || guess.reading.understanding.macros.empty()) return {};
-  guess.plain = is_plain(tokens);
-  guess.sure = likely.probability >= kDoes && guess.plain &&
+  const bool plain = is_plain(tokens);
+  guess.overrules = likely.probability >= kOverrules && plain;
+  guess.sure = likely.probability >= kDoes && plain &&
                may_be_done_unasked(sight.views.front().message, likely, refused);
   return guess;
 }

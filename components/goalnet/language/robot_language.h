@@ -44,9 +44,9 @@ class RobotLanguage {
   struct Guess {
     std::string sentence;
     double probability = 0;
-    bool sure = false;   // enough to do it unasked
-    bool plain = false;  // nothing in the message is denied or depends on something
-    Reading reading;     // of the sentence
+    bool sure = false;       // enough to do it unasked
+    bool overrules = false;  // sure enough to doubt a reading by which nothing is to be done
+    Reading reading;         // of the sentence
   };
   std::optional<Guess> guess(const std::vector<std::string>& tokens, const Reading& refused,
                              const std::vector<std::string>& objects, const SymState& start,
@@ -72,6 +72,7 @@ class RobotLanguage {
                                    const std::vector<bool>& aside) const;
 
  private:
+  // guess.cc
   bool may_be_done_unasked(const gist::Message& message, const gist::Likely& likely,
                            const Reading& refused) const;
   bool uses_all(const gist::Message& message, const gist::Likely& likely) const;

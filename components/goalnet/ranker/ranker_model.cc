@@ -12,8 +12,6 @@ namespace {
 
 using namespace symbol;
 
-constexpr double kOverrules = 0.5;  // how likely a guess must be to doubt that nothing is to be done
-
 std::uint64_t fingerprint_of(const StepInput& input) {
   std::uint64_t hash = 0xcbf29ce484222325ull;
   const auto add = [&](std::string_view text) {
@@ -158,30 +156,26 @@ RankerModel::Decoded RankerModel::decode_robot(const StepInput& input, std::vect
   if (!offered.empty() && agrees(words)) words = *tokenize(offered, Endings::kKept);
   const auto reading = robot_->read(words, input.states.front().objects, start, input.distances);
   const Understanding& understanding = reading.understanding;
-  if (understanding.complete) {
-    const auto judgement = robot_->judge(words, reading, start, input.distances);
-    signs_ = judgement.signs;
-    const double confidence = robot_->confidence().of(signs_);
-    if (confidence >= robot_->confidence().least()) {
-      Decoded decoded = steps_of(understanding, confidence);
-      const bool idle = std::all_of(decoded.steps.begin(), decoded.steps.end(), [&](const Goal& step) {
-        return satisfied(step, input.states.front().facts);
-      });
-      if (!idle) return decoded;
-      // "the tv is too loud": that it is so already is a likely misreading where something else is likely
-      // meant
-      const auto guess = robot_->guess(words, reading, input.states.front().objects, start, input.distances);
-      if (!guess || !guess->plain || guess->probability < kOverrules) return decoded;
-      return offer(*guess, {Outcome::kNotUnderstood, "not sure: I understood that all of it is so already"});
-    }
+  if (!understanding.complete)
+    return guessed(input, words, start, reading,
+                   {understanding.unknown_thing ? Outcome::kUnknownObject : Outcome::kNotUnderstood,
+                    understanding.problems.empty() ? "nothing here can be done about that"
+                                                   : understanding.problems.front()});
+  const auto judgement = robot_->judge(words, reading, start, input.distances);
+  signs_ = judgement.signs;
+  const double confidence = robot_->confidence().of(signs_);
+  if (confidence < robot_->confidence().least())
     return guessed(
         input, words, start, reading,
         {Outcome::kNotUnderstood, not_sure(understanding.macros, judgement.unused, parts_.symbols)});
-  }
-  return guessed(input, words, start, reading,
-                 {understanding.unknown_thing ? Outcome::kUnknownObject : Outcome::kNotUnderstood,
-                  understanding.problems.empty() ? "nothing here can be done about that"
-                                                 : understanding.problems.front()});
+  Decoded decoded = steps_of(understanding, confidence);
+  if (std::any_of(decoded.steps.begin(), decoded.steps.end(),
+                  [&](const Goal& step) { return !satisfied(step, input.states.front().facts); }))
+    return decoded;
+  // That all of it is so already is a likely misreading where something else is likely meant.
+  const auto guess = robot_->guess(words, reading, input.states.front().objects, start, input.distances);
+  if (!guess || !guess->overrules) return decoded;
+  return offer(*guess, {Outcome::kNotUnderstood, "not sure: I understood that all of it is so already"});
 }
 
 RankerModel::Decoded RankerModel::steps_of(const Understanding& understanding, double confidence) {

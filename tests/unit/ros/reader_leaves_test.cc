@@ -12,16 +12,10 @@
 #include <atomic>
 #include <thread>
 
+#include "components/ros/detail/local_writer.h"
 #include "components/ros/detail/queued_changes.h"
 #include "tests/unit/ros/bare_participant.h"
 #include "tests/unit/ros/support.h"
-
-namespace eprosima::fastrtps::rtps {
-class RTPSDomainImpl {  // as in components/ros/detail/queued_changes.cc
- public:
-  static RTPSWriter* find_local_writer(const GUID_t& guid);
-};
-}  // namespace eprosima::fastrtps::rtps
 
 namespace goalnet::ros {
 namespace {
@@ -138,7 +132,7 @@ TEST(ReaderLeaves, WhileItIsSentWhatItMissed) {
 }
 
 bool keeps_queued_changes(const eprosima::fastrtps::rtps::GUID_t& guid) {
-  auto* writer = eprosima::fastrtps::rtps::RTPSDomainImpl::find_local_writer(guid);
+  auto* writer = detail::local_writer(guid);
   return dynamic_cast<detail::QueuedChanges*>(writer->getListener()) != nullptr;
 }
 
